@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBCCLattice.h"
+
+#include "BCCLattice.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
+
+vtkStandardNewMacro(vtkBCCLattice);
+
+namespace
+{
+bool CheckImage(vtkImageData* image, const char* helper)
+{
+  if (!image)
+  {
+    vtkErrorWithObjectMacro(nullptr, "vtkBCCLattice::" << helper << " expects an image, not none.");
+  }
+  return image != nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCLattice::Tag(vtkImageData* image)
+{
+  if (!CheckImage(image, "Tag"))
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> tag;
+  tag->SetName("Lattice");
+  tag->InsertNextValue("BCC");
+  image->GetFieldData()->AddArray(tag);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCLattice::IsBCC(vtkDataObject* data)
+{
+  auto* image = vtkImageData::SafeDownCast(data);
+  auto* tag = image
+    ? vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("Lattice"))
+    : nullptr;
+  return tag && tag->GetNumberOfValues() == 1 && tag->GetValue(0) == "BCC";
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCLattice::GetPoint(vtkImageData* image, const int ijk[3], double x[3])
+{
+  if (!CheckImage(image, "GetPoint"))
+  {
+    return;
+  }
+  const double half = 0.5 * bravais::BCCLattice::GetCoset(ijk[2]);
+  image->TransformContinuousIndexToPhysicalPoint(ijk[0] + half, ijk[1] + half, ijk[2], x);
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCLattice::GetBox(vtkImageData* image, double bounds[6])
+{
+  if (!CheckImage(image, "GetBox"))
+  {
+    return;
+  }
+  const int* extent = image->GetExtent();
+  vtkBoundingBox box;
+  if (extent[0] <= extent[1] && extent[2] <= extent[3] && extent[4] <= extent[5])
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double x[3];
+      image->TransformContinuousIndexToPhysicalPoint(corner & 1 ? extent[1] + 0.5 : extent[0],
+        corner & 2 ? extent[3] + 0.5 : extent[2], corner & 4 ? extent[5] : extent[4], x);
+      box.AddPoint(x);
+    }
+    box.GetBounds(bounds);
+  }
+  else
+  {
+    vtkMath::UninitializeBounds(bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCLattice::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
