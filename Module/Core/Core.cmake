@@ -3,5 +3,11 @@
 
 # The maths, one name a line for <Name>.h and <Name>.cxx. No VTK header here.
 set(BRAVAIS_CORE
+  BCCKernel
   BCCLattice
+  BCCQuasiInterpolation
 )
+
+# A sum has to round alike in the vectorised and in the remaining columns of a row.
+set_source_files_properties(Module/Core/BCCQuasiInterpolation.cxx
+  PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
