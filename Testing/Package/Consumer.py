@@ -1,0 +1,13 @@
+# SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+# SPDX-License-Identifier: BSD-3-Clause
+import sys
+
+import bravais
+from bravais import vtkBCCLattice
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+assert bravais.__file__.startswith(sys.argv[1]), bravais.__file__
+image = vtkImageData()
+image.SetDimensions(39, 39, 78)
+vtkBCCLattice.Tag(image)
+assert vtkBCCLattice.IsBCC(image)
