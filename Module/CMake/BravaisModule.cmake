@@ -9,6 +9,7 @@ include(Filters/Filters.cmake)
 include(Rendering/Rendering.cmake)
 list(TRANSFORM BRAVAIS_CORE PREPEND "Module/Core/")
 list(TRANSFORM BRAVAIS_COMMON PREPEND "Module/Common/")
+list(TRANSFORM BRAVAIS_COMMON_PRIVATE PREPEND "Module/Common/")
 list(TRANSFORM BRAVAIS_FILTERS PREPEND "Filters/")
 list(TRANSFORM BRAVAIS_RENDERING PREPEND "Rendering/")
 list(TRANSFORM BRAVAIS_CORE APPEND ".h" OUTPUT_VARIABLE core_headers)
@@ -27,6 +28,7 @@ endforeach ()
 
 vtk_module_add_module(Bravais::Bravais
   CLASSES ${BRAVAIS_COMMON} ${BRAVAIS_FILTERS} ${BRAVAIS_RENDERING}
+  PRIVATE_CLASSES ${BRAVAIS_COMMON_PRIVATE}
   NOWRAP_HEADERS ${core_headers}
   SOURCES ${shader_sources})
 foreach (folder IN ITEMS Module/Core Module/Common Filters Rendering)

@@ -6,7 +6,8 @@
 
 set(bravais_vtk_modules
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  ImagingCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 glew opengl)
+  ImagingCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 glew opengl
+  vtksys)
 if (BRAVAIS_BUILD_TESTING)
   list(APPEND bravais_vtk_modules CommonMisc IOImage IOXML ImagingSources InteractionStyle
     RenderingFreeType TestingCore TestingRendering)

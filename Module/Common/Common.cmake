@@ -5,3 +5,9 @@
 set(BRAVAIS_COMMON
   vtkBCCLattice
 )
+
+# Functions that they share and nobody else needs, one name a line for <Name>.h and <Name>.cxx.
+set(BRAVAIS_COMMON_PRIVATE
+  BCCChecks
+  SliceLoop
+)
