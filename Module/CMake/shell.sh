@@ -34,7 +34,7 @@ bravais_install_packages() {
     bravais_say "Installing ${missing[*]}"
     bravais_as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq update
     bravais_as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
-      --no-install-recommends "${missing[@]}"
+      --no-install-recommends "${missing[@]}" >/dev/null
   fi
 }
 
