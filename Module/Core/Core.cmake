@@ -8,6 +8,14 @@ set(BRAVAIS_CORE
   BCCQuasiInterpolation
 )
 
+# Those that are a header only, one <Name>.h a line.
+set(BRAVAIS_CORE_HEADERS
+  BCC4Polynomial
+  BCC7Polynomial
+  BCC8Polynomial
+  BoxSpline
+)
+
 # A sum has to round alike in the vectorised and in the remaining columns of a row.
 set_source_files_properties(Module/Core/BCCQuasiInterpolation.cxx
   PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
