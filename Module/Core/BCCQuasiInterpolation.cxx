@@ -15,29 +15,6 @@ namespace bravais
 namespace
 {
 
-bool IsEmpty(const BCCExtent& extent)
-{
-  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
-}
-
-bool Contains(const BCCExtent& outer, const BCCExtent& inner)
-{
-  return outer[0] <= inner[0] && inner[1] <= outer[1] && outer[2] <= inner[2] &&
-    inner[3] <= outer[3] && outer[4] <= inner[4] && inner[5] <= outer[5];
-}
-
-BCCExtent GrowWithin(const BCCExtent& whole, const BCCExtent& extent)
-{
-  BCCExtent grown = extent;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int low = 2 * axis;
-    grown[low] -= grown[low] > whole[low] ? 1 : 0;
-    grown[low + 1] += grown[low + 1] < whole[low + 1] ? 1 : 0;
-  }
-  return grown;
-}
-
 template <class T, class R>
 void ConvertRow(std::int64_t count, const T* samples, R* coefficients)
 {

@@ -24,45 +24,13 @@
 ///     BCCBlock<float> layer(output, { 0, nx - 1, 0, ny - 1, k, k });
 ///     bool done = QuasiInterpolate(BCCKernel::BCC7, whole, samples, layer);
 
+#include "BCCBlock.h"
 #include "BCCKernel.h"
 
-#include <array>
-#include <cstdint>
 #include <type_traits>
 
 namespace bravais
 {
-
-/// Inclusive index ranges {i0, i1, j0, j1, k0, k1}. The parity of the index k, not that of
-/// k - k0, tells a layer's coset.
-using BCCExtent = std::array<int, 6>;
-
-/// Values of a part of a volume in memory, i fastest, components interleaved.
-template <class T>
-struct BCCBlock
-{
-  BCCBlock(T* data, const BCCExtent& extent, int components = 1)
-    : Data(data)
-    , Extent(extent)
-    , Components(components)
-    , RowStride((static_cast<std::int64_t>(extent[1]) - extent[0] + 1) * components)
-    , LayerStride(RowStride * (static_cast<std::int64_t>(extent[3]) - extent[2] + 1))
-  {
-  }
-
-  /// The row (j, k) from its first index i = Extent[0] on.
-  T* GetRow(int j, int k) const
-  {
-    return this->Data + this->RowStride * (static_cast<std::int64_t>(j) - this->Extent[2]) +
-      this->LayerStride * (static_cast<std::int64_t>(k) - this->Extent[4]);
-  }
-
-  T* Data;          ///< the first component at (Extent[0], Extent[2], Extent[4])
-  BCCExtent Extent; ///< what Data holds
-  int Components;
-  std::int64_t RowStride;   ///< values from (i, j, k) to (i, j + 1, k), dense by default
-  std::int64_t LayerStride; ///< values from (i, j, k) to (i, j, k + 1), dense by default
-};
 
 /// The weights of the centre and of each neighbour in S1.
 struct BCCQuasiInterpolant

@@ -148,11 +148,7 @@ TEST(TestBCCQuasiInterpolation, PiecesEqualTheWholeBitForBit)
            BCCExtent{ 7, 7, 6, 6, -2, -2 } })
     {
       // The needed samples alone, so that reading others would be out of bounds.
-      BCCExtent grown;
-      for (int side = 0; side < 6; ++side)
-      {
-        grown[side] = (side & 1) ? std::min(e[side] + 1, w[side]) : std::max(e[side] - 1, w[side]);
-      }
+      const BCCExtent grown = GrowWithin(w, e);
       std::vector<float> part(Count(grown) * step);
       const BCCBlock<float> partBlock(part.data(), grown, step);
       for (int k = grown[4]; k <= grown[5]; ++k)
