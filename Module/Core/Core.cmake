@@ -3,9 +3,14 @@
 
 # The maths, one name a line for <Name>.h and <Name>.cxx. No VTK header here.
 set(BRAVAIS_CORE
+  BCCBlock
   BCCKernel
   BCCLattice
+  BCCPrefilter
   BCCQuasiInterpolation
+  BCCResponse
+  BCCSpectralPrefilter
+  MirrorTransform
 )
 
 # Those that are a header only, one <Name>.h a line.
