@@ -15,9 +15,6 @@
 ///
 /// These are the twins of Rendering/GLSL; BCCSplineRows evaluates many points at once.
 
-#include "BCC4Polynomial.h"
-#include "BCC7Polynomial.h"
-#include "BCC8Polynomial.h"
 #include "BCCKernel.h"
 
 #include <glm/common.hpp>
@@ -28,6 +25,10 @@
 
 namespace bravais
 {
+
+#include "BCC4Polynomial.inl"
+#include "BCC7Polynomial.inl"
+#include "BCC8Polynomial.inl"
 
 /// How a point's tetrahedron lies: the map (P_t R_p) to the reference tetrahedron, and its inverse.
 template <class T>

@@ -10,17 +10,25 @@ set(BRAVAIS_CORE
   BCCQuasiInterpolation
   BCCResponse
   BCCSpectralPrefilter
+  BCCSplineRows
   MirrorTransform
 )
 
 # Those that are a header only, one <Name>.h a line.
 set(BRAVAIS_CORE_HEADERS
-  BCC4Polynomial
-  BCC7Polynomial
-  BCC8Polynomial
   BoxSpline
+)
+
+# Parts that these headers include.
+set(BRAVAIS_CORE_INLINES
+  BCC4Polynomial.inl
+  BCC7Polynomial.inl
+  BCC8Polynomial.inl
 )
 
 # A sum has to round alike in the vectorised and in the remaining columns of a row.
 set_source_files_properties(Module/Core/BCCQuasiInterpolation.cxx
   PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
+# Products and sums become fused where the processor can: half the instructions of a polynomial.
+set_source_files_properties(Module/Core/BCCSplineRows.cxx
+  PROPERTIES COMPILE_OPTIONS "-ffp-contract=fast;-O3")

@@ -363,12 +363,8 @@ def cpp_file(kernel):
     k, n = kernel.kernel, len(kernel.stencil)
     polynomial = wrap(kernel.polynomial())
     fetches = wrap([line.replace("FETCH", "fetch") for line in kernel.fetches()])
-    return f"""{HEAD}#ifndef BCC{k}Polynomial_h
-#define BCC{k}Polynomial_h
-
+    return f"""{HEAD}// For BoxSpline.h, and once more for each instruction set in BCCSplineRows.cxx: no guard.
 // clang-format off
-namespace bravais
-{{
 
 /// The {n} lattice points whose bcc{k} kernels cover the reference tetrahedron 1 >= x >= y >= z >= 0,
 /// in the order in which they are fetched: {kernel.even} even points, then {n - kernel.even} odd ones.
@@ -395,10 +391,7 @@ inline T BCC{k}Polynomial(T x, T y, T z, const T* c, T& gx, T& gy, T& gz)
 {polynomial}
 }}
 
-}} // namespace bravais
 // clang-format on
-
-#endif
 """
 
 
@@ -415,7 +408,7 @@ def glsl_file(kernel):
     fetches = wrap([line.replace("FETCH", "BCCCoefficient") for line in kernel.fetches()])
     return f"""{HEAD}
 // BCC_VALUE is float, or vec2 .. vec4 for that many components at once. The twin is
-// Module/Core/BCC{k}Polynomial.h.
+// Module/Core/BCC{k}Polynomial.inl.
 
 // Fetches the stencil's coefficients from the texels of the even point (0, 0, 0) and the odd point
 // (1, 1, 1) by steps s0, s1, s2 of 2 along the reference tetrahedron's axes.
@@ -441,7 +434,7 @@ def main():
     for number in BOX_SPLINES:
         kernel = Kernel(number)
         files = {
-            ROOT / "Module" / "Core" / f"BCC{number}Polynomial.h": cpp_file(kernel),
+            ROOT / "Module" / "Core" / f"BCC{number}Polynomial.inl": cpp_file(kernel),
             ROOT / "Rendering" / "GLSL" / f"bcc{number}Polynomial.glsl": glsl_file(kernel),
         }
         for path, text in files.items():
