@@ -3,8 +3,30 @@
 
 # Mappers and textures, one class a line.
 set(BRAVAIS_RENDERING
+  vtkBCCVolumeMapper
+)
+
+# What they are made of, not installed, one name a line for <Name>.h and <Name>.cxx.
+set(BRAVAIS_RENDERING_PRIVATE
+  vtkBCCCoefficientArray
+  vtkBCCCoefficientTexels
+  vtkBCCVolumeFrame
+  vtkBCCVolumeShaderStage
+  vtkBCCVolumeShaderText
 )
 
 # Shader files of GLSL/, one <Name> a line for GLSL/<Name>.glsl.
 set(BRAVAIS_SHADERS
+  bcc4Polynomial
+  bcc7Polynomial
+  bcc8Polynomial
+  bccBoxSpline
+  bccCubicSpline
+  bccFrame
+  bccIsoSurfaceDec
+  bccIsoSurfaceImpl
+  bccIsoSurfaceInit
+  bccIsoSurfaceTerminate
+  bccRayCast
+  bccVolume
 )

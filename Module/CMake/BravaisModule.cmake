@@ -15,6 +15,7 @@ list(TRANSFORM BRAVAIS_COMMON PREPEND "Module/Common/")
 list(TRANSFORM BRAVAIS_COMMON_PRIVATE PREPEND "Module/Common/")
 list(TRANSFORM BRAVAIS_FILTERS PREPEND "Filters/")
 list(TRANSFORM BRAVAIS_RENDERING PREPEND "Rendering/")
+list(TRANSFORM BRAVAIS_RENDERING_PRIVATE PREPEND "Rendering/")
 
 # Each GLSL/<Name>.glsl becomes the string <Name>_glsl of header <Name>_glsl.h.
 set(shader_sources)
@@ -30,7 +31,7 @@ endforeach ()
 
 vtk_module_add_module(Bravais::Bravais
   CLASSES ${BRAVAIS_COMMON} ${BRAVAIS_FILTERS} ${BRAVAIS_RENDERING}
-  PRIVATE_CLASSES ${BRAVAIS_COMMON_PRIVATE}
+  PRIVATE_CLASSES ${BRAVAIS_COMMON_PRIVATE} ${BRAVAIS_RENDERING_PRIVATE}
   NOWRAP_HEADERS ${core_headers}
   SOURCES ${shader_sources})
 foreach (folder IN ITEMS Module/Core Module/Common Filters Rendering)

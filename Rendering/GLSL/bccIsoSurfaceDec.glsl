@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Isosurfaces at the true roots of the spline along the ray. Between two samples on either side of
+// an isovalue the root is found by the Illinois variant of regula falsi, and is shaded there.
+
+uniform float in_bccDepthOpacity; // the opacity from which a surface counts for the depth
+
+const int BCCMaximumIterations = 16;
+const float BCCRootTolerance = 1e-6; // of the scalar range
+
+// The argument that VTK's functions take where components are independent.
+#ifdef BCC_INDEPENDENT
+#define BCC_COMPONENT_ARGUMENT , BCCIsoComponent()
+#else
+#define BCC_COMPONENT_ARGUMENT
+#endif
+
+vec3 l_bccPosition; // the last sample's
+float l_bccScalar;
+float l_bccSteps; // from the last sample to the ray's end
+bool l_bccFirst;
+bool l_bccLast;
+float g_bccDepth; // of the window
+float g_bccDepthFound;
+
+// The component that has the largest weight.
+int BCCIsoComponent()
+{
+  int component = 0;
+#ifdef BCC_INDEPENDENT
+  for (int i = 1; i < in_noOfComponents; ++i)
+  {
+    component = in_componentWeight[i] > in_componentWeight[component] ? i : component;
+  }
+#endif
+  return component;
+}
+
+// The scalar in units of its range, from 0 to 1, within the sentinels of l_normValues; NaN is kept.
+float BCCIsoScalar(vec3 texturePosition)
+{
+  vec4 scalars = BCCLookUp(texturePosition) * in_volume_scale[0] + in_volume_bias[0];
+  float scalar = scalars[BCCIsoComponent()];
+  return isnan(scalar) ? scalar : clamp(scalar, -1e19, 1e19);
+}
+
+// Where the spline has the isovalue between position (f0 there) and position + step (f1): a number
+// from 0 to 1. f0 and f1 are differences from the isovalue and of opposite signs.
+float BCCFindRoot(vec3 position, vec3 step, float f0, float f1, float isoValue)
+{
+  float s0 = 0.0;
+  float s1 = 1.0;
+  float s = 1.0;
+  float kept = 0.0; // which end the last iteration kept
+  for (int i = 0; i < BCCMaximumIterations; ++i)
+  {
+    s = clamp((s0 * f1 - s1 * f0) / (f1 - f0), s0, s1);
+    float f = BCCIsoScalar(position + s * step) - isoValue;
+    if (abs(f) < BCCRootTolerance)
+    {
+      break;
+    }
+    bool near = f * f1 > 0.0;
+    s0 = near ? s0 : s;
+    s1 = near ? s : s1;
+    // An end that is kept twice counts half.
+    f0 = near ? (kept < 0.0 ? 0.5 * f0 : f0) : f;
+    f1 = near ? f : (kept > 0.0 ? 0.5 * f1 : f1);
+    kept = near ? -1.0 : 1.0;
+  }
+  return s;
+}
+
+// Whether cropping and a binary mask leave a point.
+bool BCCIsVisible(vec3 texturePosition)
+{
+  bool visible = true;
+#ifdef BCC_CROPPING
+  visible = in_croppingFlags[computeRegion(croppingPlanesTexture, texturePosition)] != 0;
+#endif
+#ifdef BCC_BINARY_MASK
+  visible = visible && texture3D(in_mask, texturePosition).r > 0.0;
+#endif
+  return visible;
+}
+
+// Depth in the window.
+float BCCWindowDepth(vec3 texturePosition)
+{
+  vec4 p = in_projectionMatrix * (in_modelViewMatrix * (in_volumeMatrix[0] *
+    (in_textureDatasetMatrix[0] * vec4(texturePosition, 1.0))));
+  return 0.5 * (gl_DepthRange.diff * p.z / p.w + gl_DepthRange.near + gl_DepthRange.far);
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What takes the place of VTK's look-ups and gradients.
+
+#if BCC_COMPONENTS == 4
+uniform float in_bccNormalizer; // makes colours of stored integers, as VTK's own textures do
+#endif
+
+// In the place of texture3D(in_volume[0], texturePosition).
+vec4 BCCLookUp(vec3 texturePosition)
+{
+  BCC_VALUE gx, gy, gz;
+  vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
+  value.BCC_CHANNELS = EvaluateBoxSpline(BCCPosition(texturePosition), gx, gy, gz);
+#if BCC_COMPONENTS == 4
+  value *= in_bccNormalizer;
+#endif
+  return value;
+}
+
+#ifdef BCC_ANALYTIC_GRADIENTS
+// VTK's function of this name takes differences. Here c is the component; the other arguments are
+// VTK's and always the same. The direction is that of the gradient in the volume's own system. With
+// gradient opacity it is a unit vector and w is the magnitude as VTK scales it: per average cell
+// edge, in units of a quarter of the scalar range. Else w is -1.
+vec4 computeGradient(in vec3 texPos, in int c, in sampler3D volume, in int index)
+{
+  BCC_VALUE gx, gy, gz;
+  EvaluateBoxSpline(BCCPosition(texPos), gx, gy, gz);
+#if BCC_COMPONENTS == 1
+  vec3 gradient = vec3(gx, gy, gz);
+#else
+  vec3 gradient = vec3(gx[c], gy[c], gz[c]);
+#endif
+  gradient *= in_bccLatticePerUnit;
+#ifdef BCC_GRADIENT_OPACITY
+  vec3 edge = in_cellSpacing[0];
+  float range = in_scalarsRange[c].y - in_scalarsRange[c].x;
+  float magnitude = length(gradient) * (edge.x + edge.y + edge.z) / 3.0;
+  vec3 direction = magnitude > 0.0 ? normalize(gradient) : vec3(0.0);
+  return vec4(direction, clamp(magnitude / (0.25 * (range != 0.0 ? range : 1.0)), 0.0, 1.0));
+#else
+  return vec4(gradient * in_volume_scale[0][c], -1.0);
+#endif
+}
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBCCCoefficientTexels
+ * @brief   the spline coefficients of a BCC volume, packed for one 3D texture
+ *
+ * The even coset fills the lower half of the texture's slices and the odd coset the upper half,
+ * each as the Cartesian grid it is, so that linear texture filtering blends neighbours of one
+ * coset. Lattice point (X, Y, Z) is texel
+ *
+ *   (X >> 1, Y >> 1, Z >> 1) + Halo + (0, 0, (Z & 1) CosetDepth).
+ *
+ * Each coset has a halo of two texels on every side, filled by the mirrors of the volume's
+ * boundary: every stencil of every kernel at every point of the box stays inside, and shaders need
+ * not mirror. Coordinates are those of vtkBCCVolumeFrame.
+ */
+
+#ifndef vtkBCCCoefficientTexels_h
+#define vtkBCCCoefficientTexels_h
+
+#include "BCCKernel.h"
+#include "BCCPrefilter.h"
+#include "vtkBravaisModule.h" // For export macro
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+class vtkDataArray;
+struct vtkBCCVolumeFrame;
+
+class VTKBRAVAIS_EXPORT vtkBCCCoefficientTexels
+{
+public:
+  static constexpr int Halo = 2;
+
+  /// Size of the texture of a volume, and of one coset along z.
+  static glm::ivec3 GetSize(const vtkBCCVolumeFrame& frame);
+  static int GetCosetDepth(const vtkBCCVolumeFrame& frame) { return GetSize(frame).z / 2; }
+
+  /// Prefilters the samples of a volume and packs the coefficients. False, with values of no
+  /// meaning, if the kernel has no such prefilter.
+  bool Load(const vtkBCCVolumeFrame& frame, vtkDataArray* samples, bravais::BCCKernel kernel,
+    bravais::BCCPrefilter prefilter);
+
+  glm::ivec3 Size = glm::ivec3(0);
+  int Components = 0;
+  std::vector<float> Values; // x fastest, components interleaved
+
+private:
+  float* GetTexel(int i, int j, int slice);
+  template <class T>
+  bool LoadLayer(
+    const vtkBCCVolumeFrame& frame, const T* samples, bravais::BCCKernel kernel, int z);
+  bool ApplySpectralPrefilter(
+    const vtkBCCVolumeFrame& frame, bravais::BCCKernel kernel, bravais::BCCPrefilter prefilter);
+  void MirrorInSlice(const vtkBCCVolumeFrame& frame, int z);
+  void MirrorSlices(const vtkBCCVolumeFrame& frame);
+  int GetSlice(int z) const;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkBCCCoefficientTexels.h

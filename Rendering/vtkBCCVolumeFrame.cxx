@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBCCVolumeFrame.h"
+
+#include "BCCLattice.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+vtkBCCVolumeFrame::vtkBCCVolumeFrame(vtkImageData* volume)
+{
+  volume->GetExtent(this->Extent);
+  const double* spacing = volume->GetSpacing();
+  std::copy_n(volume->GetDirectionMatrix()->GetData(), 9, this->Direction);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool layers = axis == 2;
+    const int first = this->Extent[2 * axis];
+    const int count = this->Extent[2 * axis + 1] - first + 1;
+    const double length = layers ? count - 1 : count - 0.5; // in spacings
+    this->Low[axis] = layers ? bravais::BCCLattice::GetCoset(first) : 0;
+    this->High[axis] = this->Low[axis] + (layers ? length : 2 * length);
+    this->LatticePerUnit[axis] = (layers ? 1 : 2) / spacing[axis];
+    // As many cells as points along x and y, and as gaps between layers: for an isotropic lattice
+    // the shortest edge of a cell is the distance of layers.
+    this->Spacing[axis] = layers ? spacing[axis] : spacing[axis] * length / count;
+  }
+  volume->TransformContinuousIndexToPhysicalPoint(
+    this->Extent[0], this->Extent[2], this->Extent[4], this->Origin);
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeFrame::FitStandIn(vtkImageData* standIn) const
+{
+  standIn->Initialize();
+  standIn->SetOrigin(this->Origin);
+  standIn->SetSpacing(this->Spacing);
+  standIn->SetDirectionMatrix(const_cast<double*>(this->Direction));
+  standIn->SetDimensions(this->Extent[1] - this->Extent[0] + 2,
+    this->Extent[3] - this->Extent[2] + 2, this->Extent[5] - this->Extent[4] + 1);
+  standIn->Modified();
+}

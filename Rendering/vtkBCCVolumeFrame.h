@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBCCVolumeFrame
+ * @brief   how the box of a BCC volume lies in the world and in texture coordinates
+ *
+ * VTK's ray caster works in texture coordinates, [0, 1]^3 over the box of the volume. The shaders
+ * of vtkBCCVolumeMapper need lattice coordinates there, which run over Low .. High: along x from 0
+ * to 2 nx - 1, along y likewise, and along z from the coset of the first layer (0 or 1) on, so that
+ * their parity tells the coset in a piece of a volume too.
+ *
+ * A stand-in is the image VTK is shown instead of the volume: it has the volume's true box as its
+ * bounds, and its values on cells, so that VTK shifts nothing by half a texel.
+ */
+
+#ifndef vtkBCCVolumeFrame_h
+#define vtkBCCVolumeFrame_h
+
+#include "vtkBravaisModule.h" // For export macro
+
+class vtkImageData;
+
+struct VTKBRAVAIS_EXPORT vtkBCCVolumeFrame
+{
+  /// The frame of a tagged image of at least one point a row and two layers.
+  explicit vtkBCCVolumeFrame(vtkImageData* volume);
+
+  /// Gives an image the volume's box, direction and number of cells; drops what it holds.
+  void FitStandIn(vtkImageData* standIn) const;
+
+  int Extent[6];
+  double Low[3];
+  double High[3];
+  /// Derivatives of the lattice coordinates along the axes of the volume's own system.
+  double LatticePerUnit[3];
+
+private:
+  double Origin[3]; // The corner where texture coordinates are 0.
+  double Spacing[3];
+  double Direction[9];
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkBCCVolumeFrame.h

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBCCVolumeMapper
+ * @brief   ray casting of volumes on the body-centred cubic lattice, on the GPU
+ *
+ * The input is a BCC volume (vtkBCCLattice) of one to four components. What is rendered is the
+ * spline
+ *
+ *   s(x) = sum over lattice points j of c(j) M(x - j),
+ *
+ * M the box-spline `Kernel` and c the samples after `Prefilter`, over the volume's whole box, which
+ * is half a spacing more along x and y than vtkImageData's own bounds. The four kernels are
+ * evaluated in the shader from 4, 30, 32 or 128 coefficients (M. Kim and Y. Lee, Real-time BCC
+ * Volume Isosurface Ray Casting on the GPU), kept in one 3D texture of floats, both cosets packed
+ * densely with a halo of two texels.
+ *
+ * All else is VTK's own mapper: transfer functions, shading, blend modes, cropping, clipping, depth
+ * and picking are used as in vtkGPUVolumeRayCastMapper. It is told the range of the samples, which
+ * the spline may exceed. vtkVolumeProperty's interpolation type matters to transfer functions only:
+ * the kernel interpolates.
+ *
+ * @code{.py}
+ * mapper = vtkBCCVolumeMapper(Kernel=vtkBCCLattice.BCC7)
+ * mapper.SetInputConnection(source.GetOutputPort())
+ * volume = vtkVolume(mapper=mapper, property=transferFunctions)
+ * @endcode
+ *
+ * An input that is not a tagged image, is empty or has fewer than two layers, has no point scalars,
+ * no finite value or more than four components, a texture larger than OpenGL takes, or a kernel the
+ * prefilter cannot serve: one error each until something changes, and nothing is rendered. NaN
+ * samples spread as far as prefilter and kernel reach, and leave holes.
+ *
+ * Several inputs at once (vtkMultiVolume), partitions and the depth pass of
+ * vtkGPUVolumeRayCastMapper, which know Cartesian grids only, are refused in the same way.
+ *
+ * @sa vtkBCCLattice vtkBCCVolumeToImage vtkGPUVolumeRayCastMapper
+ */
+
+#ifndef vtkBCCVolumeMapper_h
+#define vtkBCCVolumeMapper_h
+
+#include "vtkBravaisModule.h" // For export macro
+#include "vtkOpenGLGPUVolumeRayCastMapper.h"
+
+#include <memory> // For Internals
+#include <string> // For Prepare
+
+class vtkImageData;
+
+class VTKBRAVAIS_EXPORT vtkBCCVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
+{
+public:
+  static vtkBCCVolumeMapper* New();
+  vtkTypeMacro(vtkBCCVolumeMapper, vtkOpenGLGPUVolumeRayCastMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The kernel that samples are reconstructed with, one of vtkBCCLattice::Kernels: BCC7 by default.
+   */
+  void SetKernel(int kernel);
+  vtkGetMacro(Kernel, int);
+  void SetKernelToBCC4() { this->SetKernel(4); }
+  void SetKernelToBCC7() { this->SetKernel(7); }
+  void SetKernelToBCC8() { this->SetKernel(8); }
+  void SetKernelToBCC12() { this->SetKernel(12); }
+  const char* GetKernelAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How samples become coefficients: as they are (None), by quasi-interpolation (the default), so
+   * that the spline passes through the samples (Interpolation, with BCC4 and BCC8 only), or by the
+   * orthogonal projection of the band-limited signal. Done when data, kernel or this changes.
+   */
+  void SetPrefilter(int prefilter);
+  vtkGetMacro(Prefilter, int);
+  void SetPrefilterToNone() { this->SetPrefilter(0); }
+  void SetPrefilterToQuasiInterpolation() { this->SetPrefilter(1); }
+  void SetPrefilterToInterpolation() { this->SetPrefilter(2); }
+  void SetPrefilterToProjection() { this->SetPrefilter(3); }
+  const char* GetPrefilterAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Whether shading and gradient opacity use the derivative of the spline, from the coefficients of
+   * its value, or VTK's differences of six more values. On by default. Where clipped voxels are
+   * given an intensity (vtkVolumeProperty::UseClippedVoxelIntensity) it is always differences.
+   */
+  vtkSetMacro(AnalyticGradients, bool);
+  vtkGetMacro(AnalyticGradients, bool);
+  vtkBooleanMacro(AnalyticGradients, bool);
+  ///@}
+
+  ///@{
+  /**
+   * In isosurface blending, whether surfaces are shaded at the spline's roots, found between
+   * samples on either side of an isovalue, or by VTK at the sample after. On by default. Refined
+   * surfaces are composited front to back, jitter does not move them, and the depth of the first
+   * visible one is what the depth image tells. It is written into the depth buffer too, where
+   * surfaces have added up to opaque, or in a selection as soon as they are visible, unless another
+   * render pass decides on the depth buffer.
+   */
+  vtkSetMacro(IsoSurfaceRefinement, bool);
+  vtkGetMacro(IsoSurfaceRefinement, bool);
+  vtkBooleanMacro(IsoSurfaceRefinement, bool);
+  ///@}
+
+  /**
+   * The time at which the coefficients in use were computed, 0 before the first rendering.
+   */
+  vtkMTimeType GetCoefficientTime() const;
+
+  using Superclass::GetBounds;
+  /**
+   * The volume's box, in the volume's own system.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  /**
+   * A BCC volume cannot be cut into partitions: an error if there is to be more than one.
+   */
+  void SetPartitions(unsigned short x, unsigned short y, unsigned short z);
+
+protected:
+  vtkBCCVolumeMapper();
+  ~vtkBCCVolumeMapper() override;
+
+private:
+  vtkBCCVolumeMapper(const vtkBCCVolumeMapper&) = delete;
+  void operator=(const vtkBCCVolumeMapper&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+
+  bool Prepare(vtkRenderer* renderer, vtkVolume* volume, std::string& why);
+
+  int Kernel = 7;
+  int Prefilter = 1;
+  bool AnalyticGradients = true;
+  bool IsoSurfaceRefinement = true;
+};
+
+#endif

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBCCVolumeShaderStage.h"
+
+#include "vtkBCCCoefficientTexels.h"
+#include "vtkBCCVolumeFrame.h"
+#include "vtkBCCVolumeShaderText.h"
+
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkVolume.h"
+#include "vtkVolumeInputHelper.h"
+#include "vtkVolumeProperty.h"
+#include "vtkVolumeTexture.h"
+#include "vtk_glew.h"
+
+#include <tuple>
+
+vtkStandardNewMacro(vtkBCCVolumeShaderStage);
+
+struct vtkBCCVolumeShaderStage::DepthState
+{
+  explicit DepthState(vtkOpenGLState* state)
+    : State(state)
+    , Mask(state)
+    , Function(state)
+  {
+  }
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglDepthMask Mask;
+  vtkOpenGLState::ScopedglDepthFunc Function;
+};
+
+vtkBCCVolumeShaderStage::vtkBCCVolumeShaderStage() = default;
+vtkBCCVolumeShaderStage::~vtkBCCVolumeShaderStage() = default;
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
+{
+  const auto tie = [](const Options& o)
+  { return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.Components); };
+  return tie(*this) == tie(other);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeShaderStage::IsDepthTaken(vtkVolume* volume)
+{
+  vtkInformation* keys = volume->GetPropertyKeys();
+  return keys &&
+    (keys->Has(vtkOpenGLRenderPass::RenderPasses()) ||
+      keys->Has(vtkOpenGLActor::GLDepthMaskOverride()));
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeShaderStage::Begin(vtkRenderer* renderer, vtkVolume* volume,
+  const Options& options, const vtkBCCVolumeFrame& frame, const vtkBCCCoefficientTexels& texels,
+  float normalizer)
+{
+  if (!(options == this->Current))
+  {
+    this->Current = options;
+    this->Modified(); // has VTK make the shader anew
+  }
+  this->Renderer = renderer;
+  this->Volume = volume;
+  this->Frame = &frame;
+  this->Texels = &texels;
+  this->Normalizer = normalizer;
+  if (options.WriteDepth)
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    this->Saved.reset(new DepthState(window->GetState()));
+  }
+
+  vtkInformation* keys = volume->GetPropertyKeys();
+  if (!keys)
+  {
+    keys = vtkInformation::New();
+    volume->SetPropertyKeys(keys);
+    keys->FastDelete();
+  }
+  // VTK asks the last pass how many buffers are drawn to.
+  this->ActiveDrawBuffers = 1;
+  if (const int count = keys->Length(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    auto* last =
+      static_cast<vtkOpenGLRenderPass*>(keys->Get(vtkOpenGLRenderPass::RenderPasses(), count - 1));
+    this->ActiveDrawBuffers = last->GetActiveDrawBuffers();
+  }
+  keys->Append(vtkOpenGLRenderPass::RenderPasses(), this);
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeShaderStage::End()
+{
+  vtkInformation* keys = this->Volume->GetPropertyKeys();
+  keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
+  if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+  {
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+  }
+  this->Saved.reset();
+  this->Renderer = nullptr;
+  this->Volume = nullptr;
+  this->Frame = nullptr;
+  this->Texels = nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragment, vtkAbstractMapper* abstractMapper, vtkProp*)
+{
+  using Text = vtkBCCVolumeShaderText;
+  auto* mapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(abstractMapper);
+  vtkVolumeProperty* property = this->Volume->GetProperty();
+  const auto after = [&](const std::string& tag, const std::string& text)
+  { vtkShaderProgram::Substitute(fragment, tag, tag + "\n" + text); };
+  const auto before = [&](const std::string& tag, const std::string& text)
+  { vtkShaderProgram::Substitute(fragment, tag, text + "\n" + tag); };
+  const auto instead = [&](const std::string& tag, const std::string& text)
+  { vtkShaderProgram::Substitute(fragment, tag, text); };
+
+  std::vector<std::string> macros;
+  const auto add = [&](bool condition, const char* macro)
+  {
+    if (condition)
+    {
+      macros.emplace_back(macro);
+    }
+  };
+  const bool binaryMask =
+    mapper->GetMaskInput() && mapper->GetMaskType() != vtkGPUVolumeRayCastMapper::LabelMapMaskType;
+  const bool manyIndependent = this->Current.Components > 1 && property->GetIndependentComponents();
+  // With clipped voxels of a given intensity the gradient is not the spline's.
+  const bool analytic = this->Current.AnalyticGradients &&
+    !(mapper->GetClippingPlanes() && property->GetUseClippedVoxelIntensity());
+  add(analytic, "BCC_ANALYTIC_GRADIENTS");
+  add((property->HasGradientOpacity() || property->HasLabelGradientOpacity()) &&
+      !property->GetDisableGradientOpacity(),
+    "BCC_GRADIENT_OPACITY");
+  add(mapper->GetCropping(), "BCC_CROPPING");
+  add(binaryMask, "BCC_BINARY_MASK");
+  add(manyIndependent, "BCC_INDEPENDENT");
+  add(mapper->GetRenderToImage(), "BCC_RENDER_TO_IMAGE");
+
+  std::string declarations =
+    Text::GetSpline(this->Current.Kernel, this->Current.Components, "in_volume[0]") +
+    Text::GetRayCast(macros);
+  if (this->Current.RefineRoots)
+  {
+    declarations += Text::GetIsoSurfaceDeclarations();
+    instead("//VTK::Shading::Impl", Text::GetIsoSurfaceImplementation());
+    instead("//VTK::Terminate::Impl", Text::GetIsoSurfaceTermination());
+    after("//VTK::Shading::Init", Text::GetIsoSurfaceInit());
+    after("//VTK::Terminate::Init", "  g_bccDepth = l_depthValue.x;\n  g_bccDepthFound = 0.0;");
+  }
+  if (this->Current.WriteDepth)
+  {
+    after("//VTK::Base::Exit", "  gl_FragDepth = g_bccDepth;");
+  }
+  const std::string gradientTag = "//VTK::ComputeGradient::Dec";
+  if (analytic)
+  {
+    instead(gradientTag, declarations);
+  }
+  else
+  {
+    before(gradientTag, declarations);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp*)
+{
+  const bool values = vtkShaderProgram::Substitute(
+    fragment, "texture3D(in_volume[0], g_dataPos)", "BCCLookUp(g_dataPos)");
+  // The differences that VTK takes where gradients are not analytic.
+  vtkShaderProgram::Substitute(fragment, "texture3D(volume, vec3(", "BCCLookUp(vec3(");
+  return values || this->Current.RefineRoots;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeShaderStage::FillTexture(vtkVolumeTexture* texture)
+{
+  vtkTextureObject* object = texture->GetCurrentBlock()->TextureObject;
+  bool filled = true;
+  if (this->Filled != texture || this->FilledTime != texture->UploadTime.GetMTime())
+  {
+    const glm::ivec3& size = this->Texels->Size;
+    filled = object->Create3DFromRaw(size.x, size.y, size.z, this->Texels->Components, VTK_FLOAT,
+      const_cast<float*>(this->Texels->Values.data()));
+    this->Filled = filled ? texture : nullptr;
+    this->FilledTime = texture->UploadTime.GetMTime();
+  }
+  const int filter = this->Current.Kernel == bravais::BCCKernel::BCC12 ? vtkTextureObject::Linear
+                                                                       : vtkTextureObject::Nearest;
+  object->SetMagnificationFilter(filter);
+  object->SetMinificationFilter(filter);
+  return filled;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  auto* mapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(abstractMapper);
+  vtkVolumeTexture* texture = mapper->AssembledInputs[0].Texture;
+  if (!this->FillTexture(texture))
+  {
+    return false;
+  }
+  // VTK divides by one cell less than there are.
+  auto* block = texture->GetCurrentBlock();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    block->CellStep[axis] =
+      1.0f / static_cast<float>(block->Extents[2 * axis + 1] - block->Extents[2 * axis] + 1);
+  }
+  const vtkBCCVolumeFrame& frame = *this->Frame;
+  program->SetUniform3f("in_bccLow", frame.Low);
+  program->SetUniform3f("in_bccHigh", frame.High);
+  program->SetUniformi("in_bccCosetDepth", this->Texels->Size.z / 2);
+  if (program->IsUniformUsed("in_bccLatticePerUnit"))
+  {
+    program->SetUniform3f("in_bccLatticePerUnit", frame.LatticePerUnit);
+  }
+  if (program->IsUniformUsed("in_bccNormalizer"))
+  {
+    program->SetUniformf("in_bccNormalizer", this->Normalizer);
+  }
+  if (program->IsUniformUsed("in_bccDepthOpacity"))
+  {
+    // A translucent surface is picked, but hides nothing.
+    const bool picking = this->Renderer->GetSelector() != nullptr;
+    program->SetUniformf("in_bccDepthOpacity", picking ? 3.0f / 255.0f : 1.0f - 1.0f / 255.0f);
+  }
+  if (this->Saved)
+  {
+    this->Saved->State->vtkglDepthMask(GL_TRUE);
+    this->Saved->State->vtkglDepthFunc(GL_ALWAYS); // The shader makes VTK's own depth test.
+  }
+  return true;
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBCCVolumeShaderStage
+ * @brief   puts BCC splines into the shaders of VTK's volume ray caster
+ *
+ * VTK composes a ray caster's fragment shader from tags, before and after which it asks the
+ * vtkOpenGLRenderPass objects in the volume's property keys. For the time of one rendering this
+ * object is one of them. It
+ * - replaces the tag of gradients, and those of isosurface blending when roots are refined;
+ * - redirects the texture look-ups that VTK wrote to the spline;
+ * - fills VTK's texture with the coefficients whenever VTK has made it anew, and sets uniforms.
+ *
+ * Everything on the GPU so belongs to VTK's mapper, which releases it with its own resources.
+ */
+
+#ifndef vtkBCCVolumeShaderStage_h
+#define vtkBCCVolumeShaderStage_h
+
+#include "BCCKernel.h"
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkWeakPointer.h"
+
+#include <memory>
+
+class vtkBCCCoefficientTexels;
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeTexture;
+struct vtkBCCVolumeFrame;
+
+class vtkBCCVolumeShaderStage : public vtkOpenGLRenderPass
+{
+public:
+  static vtkBCCVolumeShaderStage* New();
+  vtkTypeMacro(vtkBCCVolumeShaderStage, vtkOpenGLRenderPass);
+
+  /// What decides the shader's text.
+  struct Options
+  {
+    bravais::BCCKernel Kernel = bravais::BCCKernel::BCC7;
+    bool AnalyticGradients = true;
+    bool RefineRoots = false; // isosurface blending only
+    bool WriteDepth = false;  // of refined roots
+    int Components = 1;
+    bool operator==(const Options& other) const;
+  };
+
+  /// Enters the property keys of the volume for one frame that shows these coefficients. Stored
+  /// coefficients are multiplied by the normalizer: not 1 where VTK takes values for colours.
+  void Begin(vtkRenderer* renderer, vtkVolume* volume, const Options& options,
+    const vtkBCCVolumeFrame& frame, const vtkBCCCoefficientTexels& texels, float normalizer);
+  /// Leaves them.
+  void End();
+
+  /// Whether another pass, or who asked to keep OpenGL's state, decides on the depth buffer.
+  static bool IsDepthTaken(vtkVolume* volume);
+
+  void Render(const vtkRenderState*) override {} // It is no pass of its own.
+  bool PreReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+    vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+    vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* array = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override { return this->GetMTime(); }
+
+protected:
+  vtkBCCVolumeShaderStage();
+  ~vtkBCCVolumeShaderStage() override;
+
+private:
+  vtkBCCVolumeShaderStage(const vtkBCCVolumeShaderStage&) = delete;
+  void operator=(const vtkBCCVolumeShaderStage&) = delete;
+
+  bool FillTexture(vtkVolumeTexture* texture);
+
+  Options Current;
+  vtkRenderer* Renderer = nullptr;
+  vtkVolume* Volume = nullptr;
+  const vtkBCCVolumeFrame* Frame = nullptr;
+  const vtkBCCCoefficientTexels* Texels = nullptr;
+  float Normalizer = 1.0f;
+
+  struct DepthState;
+  std::unique_ptr<DepthState> Saved;
+
+  vtkWeakPointer<vtkVolumeTexture> Filled;
+  vtkMTimeType FilledTime = 0;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkBCCVolumeShaderStage.h

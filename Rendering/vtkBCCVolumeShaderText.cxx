@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBCCVolumeShaderText.h"
+
+#include "bcc4Polynomial_glsl.h"
+#include "bcc7Polynomial_glsl.h"
+#include "bcc8Polynomial_glsl.h"
+#include "bccBoxSpline_glsl.h"
+#include "bccCubicSpline_glsl.h"
+#include "bccFrame_glsl.h"
+#include "bccIsoSurfaceDec_glsl.h"
+#include "bccIsoSurfaceImpl_glsl.h"
+#include "bccIsoSurfaceInit_glsl.h"
+#include "bccIsoSurfaceTerminate_glsl.h"
+#include "bccRayCast_glsl.h"
+#include "bccVolume_glsl.h"
+
+namespace
+{
+std::string Define(const std::string& name, const std::string& value)
+{
+  return "#define " + name + " " + value + "\n";
+}
+
+// The functions of a kernel that has a reference tetrahedron.
+std::string GetBoxSpline(const char* polynomial, const std::string& kernel, int stencil)
+{
+  return bccFrame_glsl + std::string(polynomial) + Define("BCC_STENCIL", std::to_string(stencil)) +
+    Define("BCC_FETCH", kernel + "Fetch") + Define("BCC_POLYNOMIAL", kernel + "Polynomial") +
+    bccBoxSpline_glsl;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetSpline(
+  bravais::BCCKernel kernel, int components, const std::string& volume)
+{
+  const std::string count = std::to_string(components);
+  const std::string text = Define("BCC_VOLUME", volume) + Define("BCC_COMPONENTS", count) +
+    Define("BCC_VALUE", components == 1 ? "float" : "vec" + count) +
+    Define("BCC_CHANNELS", std::string("rgba").substr(0, components)) + bccVolume_glsl;
+  switch (kernel)
+  {
+    case bravais::BCCKernel::BCC4:
+      return text + GetBoxSpline(bcc4Polynomial_glsl, "BCC4", 4);
+    case bravais::BCCKernel::BCC7:
+      return text + GetBoxSpline(bcc7Polynomial_glsl, "BCC7", 30);
+    case bravais::BCCKernel::BCC8:
+      return text + GetBoxSpline(bcc8Polynomial_glsl, "BCC8", 32);
+    case bravais::BCCKernel::BCC12:
+      return text + bccCubicSpline_glsl;
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetRayCast(const std::vector<std::string>& macros)
+{
+  std::string text;
+  for (const std::string& macro : macros)
+  {
+    text += Define(macro, "1");
+  }
+  return text + bccRayCast_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetIsoSurfaceDeclarations()
+{
+  return bccIsoSurfaceDec_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetIsoSurfaceInit()
+{
+  return bccIsoSurfaceInit_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetIsoSurfaceImplementation()
+{
+  return bccIsoSurfaceImpl_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetIsoSurfaceTermination()
+{
+  return bccIsoSurfaceTerminate_glsl;
+}

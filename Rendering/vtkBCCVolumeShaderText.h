@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBCCVolumeShaderText
+ * @brief   the GLSL of vtkBCCVolumeMapper, put together from the files of GLSL/
+ *
+ * Nothing here needs OpenGL: text goes in and comes out.
+ */
+
+#ifndef vtkBCCVolumeShaderText_h
+#define vtkBCCVolumeShaderText_h
+
+#include "BCCKernel.h"
+#include "vtkBravaisModule.h" // For export macro
+
+#include <string>
+#include <vector>
+
+struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
+{
+  /// The macro definitions and functions that give EvaluateBoxSpline(): the value and derivatives
+  /// of the kernel's spline at a position in lattice coordinates. `volume` is the GLSL expression
+  /// of the sampler that holds the coefficients of one to four components.
+  static std::string GetSpline(
+    bravais::BCCKernel kernel, int components, const std::string& volume);
+
+  /// What VTK's ray caster uses of it, with these macros defined to 1: see bccRayCast.glsl.
+  static std::string GetRayCast(const std::vector<std::string>& macros);
+
+  /// Isosurfaces at refined roots: the texts that go to VTK's tags.
+  static std::string GetIsoSurfaceDeclarations();
+  static std::string GetIsoSurfaceInit();
+  static std::string GetIsoSurfaceImplementation();
+  static std::string GetIsoSurfaceTermination();
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkBCCVolumeShaderText.h

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The GLSL splines agree with their twins of Module/Core: values and gradients at random points of
+// a random volume, and on the faces, edges and vertices of the tetrahedra and of the box. The
+// shader's numbers are floats, drawn into a float target; the twins are evaluated in double.
+
+#include "BCCLattice.h"
+#include "BoxSpline.h"
+#include "vtkBCCCoefficientTexels.h"
+#include "vtkBCCLattice.h"
+#include "vtkBCCVolumeFrame.h"
+#include "vtkBCCVolumeShaderText.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkLogger.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr int Width = 64;
+constexpr int Height = 64;
+constexpr double ValueTolerance = 2e-6; // coefficients are from -1 to 1
+constexpr double GradientTolerance = 5e-6;
+
+// A piece of a volume that starts at an odd layer.
+vtkSmartPointer<vtkImageData> MakeVolume(vtkMinimalStandardRandomSequence* random, int components)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(2, 8, -1, 4, 3, 11);
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfComponents(components);
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
+  {
+    values->SetValue(i, static_cast<float>(random->GetNextRangeValue(-1, 1)));
+  }
+  image->GetPointData()->SetScalars(values);
+  vtkBCCLattice::Tag(image);
+  return image;
+}
+
+// Points as floats, three of four at random, the others at multiples of one half.
+std::vector<float> MakePoints(
+  vtkMinimalStandardRandomSequence* random, const vtkBCCVolumeFrame& frame)
+{
+  std::vector<float> points;
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double x = random->GetNextRangeValue(frame.Low[axis], frame.High[axis]);
+      points.push_back(static_cast<float>(i % 4 ? x : std::round(2 * x) / 2));
+    }
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkTextureObject> MakeTexture(vtkOpenGLRenderWindow* window)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  return texture;
+}
+
+// The value (x) and gradient (yzw) of one component at each point, by the shader.
+std::vector<float> Draw(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
+  const vtkBCCCoefficientTexels& texels, const std::vector<float>& points, int component)
+{
+  const std::string channel =
+    texels.Components == 1 ? std::string() : "[" + std::to_string(component) + "]";
+  std::string source = vtkOpenGLRenderUtilities::GetFullScreenQuadFragmentShaderTemplate();
+  vtkShaderProgram::Substitute(source, "//VTK::FSQ::Decl",
+    "uniform sampler3D coefficients;\nuniform sampler2D points;\n" +
+      vtkBCCVolumeShaderText::GetSpline(kernel, texels.Components, "coefficients"));
+  vtkShaderProgram::Substitute(source, "//VTK::FSQ::Impl",
+    "BCC_VALUE x, y, z;\n"
+    "BCC_VALUE value = EvaluateBoxSpline(texture(points, texCoord).xyz, x, y, "
+    "z);\n"
+    "gl_FragData[0] = vec4(value" +
+      channel + ", x" + channel + ", y" + channel + ", z" + channel + ");\n");
+
+  auto coefficients = MakeTexture(window);
+  coefficients->Create3DFromRaw(texels.Size.x, texels.Size.y, texels.Size.z, texels.Components,
+    VTK_FLOAT, const_cast<float*>(texels.Values.data()));
+  const int filter =
+    kernel == bravais::BCCKernel::BCC12 ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  coefficients->SetMagnificationFilter(filter);
+  coefficients->SetMinificationFilter(filter);
+  auto places = MakeTexture(window);
+  places->Create2DFromRaw(Width, Height, 3, VTK_FLOAT, const_cast<float*>(points.data()));
+  auto target = MakeTexture(window);
+  target->Allocate2D(Width, Height, 4, VTK_FLOAT);
+
+  vtkNew<vtkOpenGLFramebufferObject> buffer;
+  buffer->SetContext(window);
+  window->GetState()->PushFramebufferBindings();
+  buffer->Bind();
+  buffer->AddColorAttachment(0, target);
+  buffer->ActivateDrawBuffer(0);
+  buffer->StartNonOrtho(Width, Height);
+  vtkOpenGLState::ScopedglEnableDisable blend(window->GetState(), GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable depth(window->GetState(), GL_DEPTH_TEST);
+  window->GetState()->vtkglDisable(GL_BLEND);
+  window->GetState()->vtkglDisable(GL_DEPTH_TEST);
+  {
+    vtkOpenGLQuadHelper quad(window, nullptr, source.c_str(), "");
+    coefficients->Activate();
+    places->Activate();
+    quad.Program->SetUniformi("coefficients", coefficients->GetTextureUnit());
+    quad.Program->SetUniformi("points", places->GetTextureUnit());
+    quad.Program->SetUniformi("in_bccCosetDepth", texels.Size.z / 2);
+    quad.Render();
+    quad.ReleaseGraphicsResources(window);
+  }
+  window->GetState()->PopFramebufferBindings();
+
+  vtkPixelBufferObject* download = target->Download();
+  std::vector<float> result(4 * Width * Height);
+  const auto* mapped = static_cast<const float*>(download->MapPackedBuffer());
+  std::copy_n(mapped, result.size(), result.begin());
+  download->UnmapPackedBuffer();
+  download->Delete();
+  for (const auto& texture : { coefficients, places, target })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  buffer->ReleaseGraphicsResources(window);
+  return result;
+}
+}
+
+int TestBCCVolumeShaderParity(int, char*[])
+{
+  vtkNew<vtkRenderWindow> renderWindow;
+  renderWindow->SetOffScreenRendering(true);
+  renderWindow->SetSize(Width, Height);
+  renderWindow->Render();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderWindow);
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(20);
+  bool good = true;
+  for (int components : { 1, 3 })
+  {
+    const auto image = MakeVolume(random, components);
+    auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+    const vtkBCCVolumeFrame frame(image);
+    const auto points = MakePoints(random, frame);
+    int dimensions[3];
+    image->GetDimensions(dimensions);
+    const bravais::BCCLattice lattice(glm::ivec3(dimensions[0], dimensions[1], dimensions[2]));
+    for (auto kernel : { bravais::BCCKernel::BCC4, bravais::BCCKernel::BCC7,
+           bravais::BCCKernel::BCC8, bravais::BCCKernel::BCC12 })
+    {
+      vtkBCCCoefficientTexels texels;
+      texels.Load(frame, values, kernel, bravais::BCCPrefilter::None);
+      const int component = components - 1;
+      const auto drawn = Draw(window, kernel, texels, points, component);
+      const int first = static_cast<int>(frame.Low[2]);
+      // The mirrors of the twin stand at the box's ends too, but its first layer is even.
+      const auto fetch = [&](const glm::ivec3& point)
+      {
+        const glm::ivec3 last = lattice.GetLast();
+        const glm::ivec3 inside(bravais::BCCLattice::Mirror(point.x, last.x),
+          bravais::BCCLattice::Mirror(point.y, last.y),
+          bravais::BCCLattice::Mirror(point.z - first, last.z));
+        const glm::ivec3 index(inside.x / 2, inside.y / 2, inside.z);
+        return static_cast<double>(values->GetTypedComponent(lattice.ToLinear(index), component));
+      };
+      double valueError = 0;
+      double gradientError = 0;
+      for (int i = 0; i < Width * Height; ++i)
+      {
+        const float* at = points.data() + 3 * i;
+        const float* got = drawn.data() + 4 * i;
+        glm::dvec3 gradient;
+        const double value =
+          bravais::EvaluateBoxSpline(kernel, fetch, glm::dvec3(at[0], at[1], at[2]), gradient);
+        // Written so that a NaN counts.
+        const auto worse = [](double error, double difference)
+        { return difference <= error ? error : difference; };
+        valueError = worse(valueError, std::abs(value - got[0]));
+        // bcc4's gradient jumps at the tetrahedra's faces, where a quarter of the points may lie.
+        if (kernel != bravais::BCCKernel::BCC4 || i % 4)
+        {
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            gradientError = worse(gradientError, std::abs(gradient[axis] - got[axis + 1]));
+          }
+        }
+      }
+      vtkLog(INFO, << bravais::GetName(kernel) << ", " << components
+                   << " component(s): value error " << valueError << ", gradient error "
+                   << gradientError);
+      good = good && valueError < ValueTolerance && gradientError < GradientTolerance;
+    }
+  }
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
