@@ -26,5 +26,3 @@ endif ()
 
 find_package(glm REQUIRED)     # vectors, in C++ as in GLSL
 find_package(hwy REQUIRED)     # SIMD with dispatch at run time
-find_path(KISSFFT_INCLUDE_DIR kissfft/kissfft.hh REQUIRED # the header-only C++ transform
-  DOC "The folder that holds kissfft/kissfft.hh")

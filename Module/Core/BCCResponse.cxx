@@ -49,11 +49,20 @@ OrbitTable GetTable(BCCKernel kernel, BCCPrefilter prefilter)
   return samples ? OrbitTable(BCC12Samples) : OrbitTable(BCC12Autocorrelation);
 }
 
-/// sin(t) / t, given |sin(t)|, for |t| <= pi.
-double Sinc(double t, double sine)
+/// The product of sin(t) / t over some t in -pi .. pi, given the |sin(t)|.
+template <std::size_t N>
+double MultiplySincs(const double (&angles)[N], const double (&sines)[N])
 {
-  const double square = t * t;
-  return square < 1e-4 ? 1.0 - square / 6.0 * (1.0 - square / 20.0) : std::abs(sine / t);
+  double numerator = 1.0;
+  double denominator = 1.0;
+  for (std::size_t n = 0; n < N; ++n)
+  {
+    const double square = angles[n] * angles[n];
+    const bool small = square < 1e-4;
+    numerator *= small ? 1.0 - square / 6.0 * (1.0 - square / 20.0) : sines[n];
+    denominator *= small ? 1.0 : angles[n];
+  }
+  return std::abs(numerator / denominator);
 }
 
 } // namespace
@@ -62,8 +71,8 @@ BCCResponse::Frequency::Frequency(double w)
   : W(w)
   , HalfSine(std::sin(0.5 * w))
   , HalfCosine(std::cos(0.5 * w))
-  , Sinc(bravais::Sinc(w, std::sin(w)))
-  , ShiftedSinc(w == 0.0 ? 0.0 : bravais::Sinc(w - Pi, std::sin(w)))
+  , Sinc(MultiplySincs({ w }, { std::sin(w) }))
+  , ShiftedSinc(MultiplySincs({ w - Pi }, { std::sin(w) }))
 {
   for (int n = 0; n < Reach; ++n)
   {
@@ -117,10 +126,26 @@ void BCCResponse::GetColumn(std::int64_t mx, std::int64_t my, Value* column) con
     double shifted = 1.0 / (even - odd);
     if (this->Prefilter == BCCPrefilter::Projection)
     {
-      q = even + odd < SingularValue ? 0.0 : q * this->GetTransform(x, y, z);
-      shifted = even - odd < SingularValue ? 0.0 : shifted * this->GetShiftedTransform(x, y, z);
+      const Diagonals diagonals(x, y, z);
+      q = even + odd < SingularValue ? 0.0 : q * this->GetTransform(x, y, z, diagonals);
+      shifted =
+        even - odd < SingularValue ? 0.0 : shifted * this->GetShiftedTransform(x, y, z, diagonals);
     }
     *column++ = { 0.5 * (q + shifted), 0.5 * (q - shifted) };
+  }
+}
+
+BCCResponse::Diagonals::Diagonals(const Frequency& x, const Frequency& y, const Frequency& z)
+{
+  for (const int n : { 0, 2 }) // (x + y) / 2 and (x - y) / 2
+  {
+    const double sign = 1.0 - n;
+    const double sine = x.HalfSine * y.HalfCosine + sign * x.HalfCosine * y.HalfSine;
+    const double cosine = x.HalfCosine * y.HalfCosine - sign * x.HalfSine * y.HalfSine;
+    this->Sines[n] = sine * z.HalfCosine + cosine * z.HalfSine;
+    this->Sines[n + 1] = sine * z.HalfCosine - cosine * z.HalfSine;
+    this->Cosines[n] = cosine * z.HalfCosine - sine * z.HalfSine;
+    this->Cosines[n + 1] = cosine * z.HalfCosine + sine * z.HalfSine;
   }
 }
 
@@ -142,43 +167,35 @@ double BCCResponse::GetPower(double diagonals, double axes) const
 }
 
 /// K^ at w, which is in the Voronoi cell, as all of [0, pi / 2]^3 is.
-double BCCResponse::GetTransform(const Frequency& x, const Frequency& y, const Frequency& z) const
+double BCCResponse::GetTransform(
+  const Frequency& x, const Frequency& y, const Frequency& z, const Diagonals& diagonals) const
 {
-  double diagonals = 1.0;
-  for (const double sign : { 1.0, -1.0 })
-  {
-    // (x + y) / 2 or (x - y) / 2
-    const double sine = x.HalfSine * y.HalfCosine + sign * x.HalfCosine * y.HalfSine;
-    const double cosine = x.HalfCosine * y.HalfCosine - sign * x.HalfSine * y.HalfSine;
-    const double angle = x.W + sign * y.W;
-    diagonals *= Sinc(0.5 * (angle + z.W), sine * z.HalfCosine + cosine * z.HalfSine) *
-      Sinc(0.5 * (angle - z.W), sine * z.HalfCosine - cosine * z.HalfSine);
-  }
-  return this->GetPower(diagonals, x.Sinc * y.Sinc * z.Sinc);
+  const double sum = 0.5 * (x.W + y.W);
+  const double difference = 0.5 * (x.W - y.W);
+  const double half = 0.5 * z.W;
+  return this->GetPower(
+    MultiplySincs(
+      { sum + half, sum - half, difference + half, difference - half }, diagonals.Sines),
+    x.Sinc * y.Sinc * z.Sinc);
 }
 
 /// K^ at w', which is in the Voronoi cell once pi is taken from the largest coordinate of w. The
-/// halved angles change by pi / 2, their sines become cosines.
+/// halved angles change by pi / 2, and sines become cosines.
 double BCCResponse::GetShiftedTransform(
-  const Frequency& x, const Frequency& y, const Frequency& z) const
+  const Frequency& x, const Frequency& y, const Frequency& z, const Diagonals& diagonals) const
 {
   const double largest = std::max({ x.W, y.W, z.W });
   const bool alongX = x.W == largest;
   const bool alongY = !alongX && y.W == largest;
   const bool alongZ = !alongX && !alongY;
-  const double wx = alongX ? x.W - Pi : x.W;
-  const double wy = alongY ? y.W - Pi : y.W;
-  const double wz = alongZ ? z.W - Pi : z.W;
-  double diagonals = 1.0;
-  for (const double sign : { 1.0, -1.0 })
-  {
-    const double sine = x.HalfSine * y.HalfCosine + sign * x.HalfCosine * y.HalfSine;
-    const double cosine = x.HalfCosine * y.HalfCosine - sign * x.HalfSine * y.HalfSine;
-    const double angle = wx + sign * wy;
-    diagonals *= Sinc(0.5 * (angle + wz), cosine * z.HalfCosine - sine * z.HalfSine) *
-      Sinc(0.5 * (angle - wz), cosine * z.HalfCosine + sine * z.HalfSine);
-  }
-  return this->GetPower(diagonals,
+  const double wx = x.W - (alongX ? Pi : 0.0);
+  const double wy = y.W - (alongY ? Pi : 0.0);
+  const double half = 0.5 * (z.W - (alongZ ? Pi : 0.0));
+  const double sum = 0.5 * (wx + wy);
+  const double difference = 0.5 * (wx - wy);
+  return this->GetPower(
+    MultiplySincs(
+      { sum + half, sum - half, difference + half, difference - half }, diagonals.Cosines),
     (alongX ? x.ShiftedSinc : x.Sinc) * (alongY ? y.ShiftedSinc : y.Sinc) *
       (alongZ ? z.ShiftedSinc : z.Sinc));
 }

@@ -53,10 +53,7 @@ public:
   /// of the far mirrors, 0 <= m <= last / 2 on each axis.
   BCCResponse(BCCKernel kernel, BCCPrefilter prefilter, const std::array<std::int64_t, 3>& last);
 
-  /// How many frequencies there are along z.
-  std::int64_t GetDepth() const { return static_cast<std::int64_t>(this->Axes[2].size()); }
-
-  /// The filter at all frequencies along z, into GetDepth() values.
+  /// The filter at all frequencies along z, into last.z / 2 + 1 values.
   void GetColumn(std::int64_t mx, std::int64_t my, Value* column) const;
 
 private:
@@ -79,8 +76,19 @@ private:
     double Weight;
   };
 
-  double GetTransform(const Frequency& x, const Frequency& y, const Frequency& z) const;
-  double GetShiftedTransform(const Frequency& x, const Frequency& y, const Frequency& z) const;
+  /// Of w.d / 2 for the four directions d of S1.
+  struct Diagonals
+  {
+    Diagonals(const Frequency& x, const Frequency& y, const Frequency& z);
+
+    double Sines[4];
+    double Cosines[4];
+  };
+
+  double GetTransform(
+    const Frequency& x, const Frequency& y, const Frequency& z, const Diagonals& diagonals) const;
+  double GetShiftedTransform(
+    const Frequency& x, const Frequency& y, const Frequency& z, const Diagonals& diagonals) const;
   double GetPower(double diagonals, double axes) const;
 
   BCCKernel Kernel;

@@ -4,7 +4,7 @@
 #include "BCCSpectralPrefilter.h"
 
 #include "BCCResponse.h"
-#include "MirrorTransform.h"
+#include "LineBlock.h"
 
 #include <algorithm>
 
@@ -13,91 +13,7 @@ namespace bravais
 namespace
 {
 
-using Complex = MirrorTransform::Complex;
-
-enum class Direction
-{
-  Forward,
-  Inverse
-};
-
-/// Lines are taken in blocks, to use all of each cache line that is touched.
-constexpr std::int64_t BlockSize = 16;
-
-/// Up to BlockSize parallel lines, two to a complex number.
-class LineBlock
-{
-public:
-  LineBlock(const MirrorTransform& transform, int coset)
-    : Transform(transform)
-    , Coset(coset)
-    , Length(transform.GetNumberOfSamples(coset))
-    , Lines(static_cast<std::size_t>(this->Length * (BlockSize / 2)))
-    , Scratch(transform.MakeScratch())
-  {
-  }
-
-  std::int64_t GetLength() const { return this->Length; }
-
-  /// The number n of line l.
-  double& Get(std::int64_t l, std::int64_t n)
-  {
-    return reinterpret_cast<double(&)[2]>(this->Lines[(l / 2) * this->Length + n])[l % 2];
-  }
-
-  template <class R>
-  void Load(const R* data, std::int64_t count, std::int64_t lineStride, std::int64_t stride)
-  {
-    this->Count = count;
-    if (count % 2 == 1)
-    {
-      std::fill_n(this->Lines.begin() + count / 2 * this->Length, this->Length, Complex());
-    }
-    for (std::int64_t n = 0; n < this->Length; ++n, data += stride)
-    {
-      for (std::int64_t l = 0; l < count; ++l)
-      {
-        this->Get(l, n) = static_cast<double>(data[l * lineStride]);
-      }
-    }
-  }
-
-  template <class R>
-  void Store(R* data, std::int64_t lineStride, std::int64_t stride)
-  {
-    for (std::int64_t n = 0; n < this->Length; ++n, data += stride)
-    {
-      for (std::int64_t l = 0; l < this->Count; ++l)
-      {
-        data[l * lineStride] = static_cast<R>(this->Get(l, n));
-      }
-    }
-  }
-
-  void Execute(Direction direction)
-  {
-    for (std::int64_t pair = 0; 2 * pair < this->Count; ++pair)
-    {
-      Complex* line = this->Lines.data() + pair * this->Length;
-      if (direction == Direction::Forward)
-      {
-        this->Transform.Forward(this->Coset, line, this->Scratch);
-      }
-      else
-      {
-        this->Transform.Inverse(this->Coset, line, this->Scratch);
-      }
-    }
-  }
-
-private:
-  const MirrorTransform& Transform;
-  int Coset;
-  std::int64_t Length;
-  std::int64_t Count = 0;
-  std::vector<Complex> Lines;
-  MirrorTransform::Scratch Scratch;
-};
+using Direction = LineBlock::Direction;
 
 template <class R>
 class SpectralFilter
@@ -118,7 +34,7 @@ public:
   std::int64_t GetNumberOfLayers() const { return this->Nk; }
   std::int64_t GetNumberOfColumnBlocks() const
   {
-    return (this->Nx + BlockSize - 1) / BlockSize * this->Ny;
+    return (this->Nx + LineBlock::Size - 1) / LineBlock::Size * this->Ny;
   }
 
   /// Along x and y, or back, in layers begin .. end - 1.
@@ -128,22 +44,13 @@ public:
     {
       LineBlock x(this->X, coset);
       LineBlock y(this->Y, coset);
-      for (std::int64_t layer = begin; layer < end; ++layer)
+      const bool skipFirst = ((this->Volume.Extent[4] + begin) & 1) != coset;
+      for (std::int64_t layer = begin + (skipFirst ? 1 : 0); layer < end; layer += 2)
       {
-        const int k = static_cast<int>(this->Volume.Extent[4] + layer);
-        for (int c = 0; (k & 1) == coset && c < this->Volume.Components; ++c)
+        for (int c = 0; c < this->Volume.Components; ++c)
         {
-          R* data = this->Volume.Data + this->Volume.LayerStride * layer + c;
-          if (direction == Direction::Forward)
-          {
-            this->TransformRows(x, data, direction);
-            this->TransformColumns(y, data, direction);
-          }
-          else
-          {
-            this->TransformColumns(y, data, direction);
-            this->TransformRows(x, data, direction);
-          }
+          this->TransformLayer(
+            x, y, this->Volume.Data + this->Volume.LayerStride * layer + c, direction);
         }
       }
     }
@@ -154,35 +61,35 @@ public:
   {
     LineBlock first(this->Z, 0);
     LineBlock second(this->Z, 1);
-    const std::int64_t depth = this->Response.GetDepth();
-    std::vector<BCCResponse::Value> filter(static_cast<std::size_t>(depth * BlockSize));
-    const std::int64_t blocks = (this->Nx + BlockSize - 1) / BlockSize;
+    std::vector<BCCResponse::Value> filter(
+      static_cast<std::size_t>(first.GetLength() * LineBlock::Size));
+    const std::int64_t blocks = (this->Nx + LineBlock::Size - 1) / LineBlock::Size;
     const std::int64_t step = this->Volume.Components;
-    const std::int64_t stride = 2 * this->Volume.LayerStride;
+    const std::int64_t layer = this->Volume.LayerStride;
     for (std::int64_t block = begin; block < end; ++block)
     {
       const std::int64_t my = block / blocks;
-      const std::int64_t mx = block % blocks * BlockSize;
-      const std::int64_t count = std::min(BlockSize, this->Nx - mx);
+      const std::int64_t mx = block % blocks * LineBlock::Size;
+      const std::int64_t count = std::min(LineBlock::Size, this->Nx - mx);
       for (std::int64_t l = 0; l < count; ++l)
       {
-        this->Response.GetColumn(mx + l, my, filter.data() + l * depth);
+        this->Response.GetColumn(mx + l, my, filter.data() + l * first.GetLength());
       }
       for (int c = 0; c < this->Volume.Components; ++c)
       {
         R* data = this->Volume.Data + this->Volume.RowStride * my + mx * step + c;
-        first.Load(data, count, step, stride);
-        second.Load(data + this->Volume.LayerStride, count, step, stride);
+        first.Load(data, count, step, 2 * layer);
+        second.Load(data + layer, count, step, 2 * layer);
         first.Execute(Direction::Forward);
         second.Execute(Direction::Forward);
         for (std::int64_t l = 0; l < count; ++l)
         {
-          this->FilterColumn(first, second, l, filter.data() + l * depth);
+          this->FilterColumn(first, second, l, filter.data() + l * first.GetLength());
         }
         first.Execute(Direction::Inverse);
         second.Execute(Direction::Inverse);
-        first.Store(data, step, stride);
-        second.Store(data + this->Volume.LayerStride, step, stride);
+        first.Store(data, count, step, 2 * layer);
+        second.Store(data + layer, count, step, 2 * layer);
       }
     }
   }
@@ -193,26 +100,31 @@ private:
     return static_cast<std::int64_t>(extent[2 * axis + 1]) - extent[2 * axis] + 1;
   }
 
-  void TransformRows(LineBlock& lines, R* data, Direction direction) const
+  void TransformLayer(LineBlock& x, LineBlock& y, R* data, Direction direction) const
   {
-    const std::int64_t stride = this->Volume.RowStride;
-    for (std::int64_t j = 0; j < this->Ny; j += BlockSize)
+    const std::int64_t step = this->Volume.Components;
+    const std::int64_t row = this->Volume.RowStride;
+    if (direction == Direction::Forward)
     {
-      lines.Load(
-        data + j * stride, std::min(BlockSize, this->Ny - j), stride, this->Volume.Components);
-      lines.Execute(direction);
-      lines.Store(data + j * stride, stride, this->Volume.Components);
+      TransformLines(x, this->Ny, row, step, data, direction);
+    }
+    TransformLines(y, this->Nx, step, row, data, direction);
+    if (direction == Direction::Inverse)
+    {
+      TransformLines(x, this->Ny, row, step, data, direction);
     }
   }
 
-  void TransformColumns(LineBlock& lines, R* data, Direction direction) const
+  /// `count` lines of a layer that are `across` values apart, their numbers `along` values apart.
+  static void TransformLines(LineBlock& lines, std::int64_t count, std::int64_t across,
+    std::int64_t along, R* data, Direction direction)
   {
-    const std::int64_t step = this->Volume.Components;
-    for (std::int64_t i = 0; i < this->Nx; i += BlockSize)
+    for (std::int64_t l = 0; l < count; l += LineBlock::Size)
     {
-      lines.Load(data + i * step, std::min(BlockSize, this->Nx - i), step, this->Volume.RowStride);
+      const std::int64_t some = std::min(LineBlock::Size, count - l);
+      lines.Load(data + l * across, some, across, along);
       lines.Execute(direction);
-      lines.Store(data + i * step, step, this->Volume.RowStride);
+      lines.Store(data + l * across, some, across, along);
     }
   }
 
@@ -224,15 +136,15 @@ private:
       static_cast<double>(this->Y.GetScale()) / static_cast<double>(this->Z.GetScale());
     for (std::int64_t m = 0; m < second.GetLength(); ++m)
     {
-      const double f0 = scale * first.Get(l, m);
-      const double f1 = scale * second.Get(l, m);
-      first.Get(l, m) = filter[m].Same * f0 + filter[m].Other * f1;
-      second.Get(l, m) = filter[m].Same * f1 + filter[m].Other * f0;
+      const double f0 = scale * first.Get(m)[l];
+      const double f1 = scale * second.Get(m)[l];
+      first.Get(m)[l] = filter[m].Same * f0 + filter[m].Other * f1;
+      second.Get(m)[l] = filter[m].Same * f1 + filter[m].Other * f0;
     }
     if (first.GetLength() > second.GetLength()) // w.z = pi / 2, where the second coset has nothing
     {
       const std::int64_t m = second.GetLength();
-      first.Get(l, m) *= scale * filter[m].Same;
+      first.Get(m)[l] *= scale * filter[m].Same;
     }
   }
 

@@ -11,6 +11,7 @@ set(BRAVAIS_CORE
   BCCResponse
   BCCSpectralPrefilter
   BCCSplineRows
+  ChirpTransform
   MirrorTransform
 )
 
