@@ -8,8 +8,8 @@
 
 A kernel is det G = 4 times a centred box-spline M. The autocorrelation of a box-spline that is
 even is the box-spline with each direction taken twice, so one evaluation serves both tables. It
-follows the recursion of de Boor, Hollig and Riemenschneider, Box Splines, (17) of chapter I: with
-x the sum of t_d d over the directions d,
+follows the recurrence of de Boor, Hoellig and Riemenschneider, Box Splines, I (42): with x the sum
+of t_d d over the directions d,
 
     (m - n) M(x) = sum over d of t_d M_d(x) + (1 - t_d) M_d(x - d),    M_d: M without d,
 
