@@ -3,4 +3,5 @@
 
 # Sources and filters, one class a line.
 set(BRAVAIS_FILTERS
+  vtkBCCVolumeSource
 )

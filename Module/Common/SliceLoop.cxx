@@ -43,4 +43,22 @@ bool ForEachSlice(vtkAlgorithm* self, int first, int last, const std::function<v
   return !self->GetAbortExecute();
 }
 
+//------------------------------------------------------------------------------
+bool ForEachSliceInOrder(vtkAlgorithm* self, int first, int last,
+  const std::function<void(int)>& work, double begin, double end)
+{
+  const double total = static_cast<double>(last) - first + 1.0;
+  for (vtkIdType k = first; k <= last && !self->GetAbortExecute(); ++k)
+  {
+    self->UpdateProgress(begin + static_cast<double>(k - first) / total * (end - begin));
+    work(static_cast<int>(k));
+  }
+  if (self->GetAbortExecute())
+  {
+    return false;
+  }
+  self->UpdateProgress(end);
+  return !self->GetAbortExecute();
+}
+
 } // namespace bravais

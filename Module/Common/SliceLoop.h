@@ -18,6 +18,10 @@ namespace bravais
 bool ForEachSlice(vtkAlgorithm* self, int first, int last, const std::function<void(int)>& work,
   double begin = 0.0, double end = 1.0);
 
+/// The same in ascending order and in the calling thread, for work that threads may not share.
+bool ForEachSliceInOrder(vtkAlgorithm* self, int first, int last,
+  const std::function<void(int)>& work, double begin = 0.0, double end = 1.0);
+
 } // namespace bravais
 
 #endif

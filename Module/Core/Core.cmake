@@ -3,6 +3,7 @@
 
 # The maths, one name a line for <Name>.h and <Name>.cxx. No VTK header here.
 set(BRAVAIS_CORE
+  AnalyticSignals
   BCCBlock
   BCCKernel
   BCCLattice
