@@ -260,6 +260,32 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
 }
 
 //------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::ReportOnce(const std::string& why)
+{
+  vtkDataObject* input = this->GetDataObjectInput();
+  const vtkMTimeType time = std::max(this->GetMTime(), input ? input->GetMTime() : 0);
+  if (this->Impl->LastError != why || this->Impl->LastErrorTime != time)
+  {
+    this->Impl->LastError = why;
+    this->Impl->LastErrorTime = time;
+    vtkErrorMacro(<< why);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::Update()
+{
+  if (this->GetNumberOfInputConnections(0) < 1)
+  {
+    std::string why;
+    bravais::CheckBCCImage(nullptr, why);
+    this->ReportOnce(why); // The pipeline would report it for every frame.
+    return;
+  }
+  this->Superclass::Update();
+}
+
+//------------------------------------------------------------------------------
 void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (!renderer || !volume)
@@ -271,14 +297,7 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   std::string why;
   if (!this->Prepare(renderer, volume, why))
   {
-    vtkDataObject* input = this->GetDataObjectInput();
-    const vtkMTimeType time = std::max(this->GetMTime(), input ? input->GetMTime() : 0);
-    if (impl.LastError != why || impl.LastErrorTime != time)
-    {
-      vtkErrorMacro(<< why);
-    }
-    impl.LastError = why;
-    impl.LastErrorTime = time;
+    this->ReportOnce(why);
     return;
   }
   impl.LastError.clear();

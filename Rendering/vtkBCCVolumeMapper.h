@@ -119,6 +119,8 @@ public:
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
 
+  using Superclass::Update;
+  void Update() override;
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
   /**
@@ -138,6 +140,7 @@ private:
   std::unique_ptr<Internals> Impl;
 
   bool Prepare(vtkRenderer* renderer, vtkVolume* volume, std::string& why);
+  void ReportOnce(const std::string& why);
 
   int Kernel = 7;
   int Prefilter = 1;
