@@ -102,11 +102,8 @@ void SumCubicLines(const Memory<R>& memory, const Lanes<R>* wy, const Lanes<R>* 
   using L = Lanes<R>;
   const hn::ScalableTag<R> d;
   const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(hn::Lanes(d));
-  for (std::ptrdiff_t i = begin; i < end; i += step)
+  for (std::ptrdiff_t n = begin; n < end; n += step)
   {
-    const std::ptrdiff_t n = hwy::HWY_NAMESPACE::Lanes(d) <= static_cast<std::size_t>(end - i)
-      ? i
-      : end - step; // the last vector overlaps the one before
     L value(0.0);
     L alongY(0.0);
     L alongZ(0.0);

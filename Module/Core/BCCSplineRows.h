@@ -12,6 +12,8 @@
 #include "BCCBlock.h"
 #include "BCCKernel.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -20,10 +22,11 @@
 namespace bravais
 {
 
-/// How far beyond the cell of an evaluated point coefficients are read: indices i and j from
-/// floor(X / 2) - 2 to floor(X / 2) + 3 with X the lattice coordinate, layers from floor(Z) - 4 to
-/// floor(Z) + 4.
-inline constexpr int BCCStencilReach[3] = { 2, 2, 4 };
+/// What is read to evaluate at a point (X, Y, Z): indices i from floor(X / 2) - BCCReachBelow.x to
+/// floor(X / 2) + BCCReachAbove.x, j likewise, layers from floor(Z) - BCCReachBelow.z to floor(Z) +
+/// BCCReachAbove.z.
+inline constexpr glm::ivec3 BCCReachBelow(2, 2, 3);
+inline constexpr glm::ivec3 BCCReachAbove(2, 2, 4);
 
 /// A position along one axis, in lattice coordinates, split so that floats keep the fraction of
 /// large coordinates: p = Even + Sign * Offset, Even an even integer, 0 <= Offset <= 1.
@@ -72,8 +75,8 @@ struct BCCResults
 /// The length of arrays for the results of n points: n, and room for the last vector.
 std::size_t GetBCCResultSize(std::size_t n);
 
-/// Evaluates at (x[n], y, z) for all n. `coefficients` has one component and covers all points'
-/// stencils (BCCStencilReach).
+/// Evaluates at (x[n], y, z) for all n. `coefficients` has one component, covers what is read for
+/// all points, and GetBCCResultSize(0) more values can be read, not used, beyond its end.
 template <class R>
 void EvaluateBCCRow(BCCKernel kernel, const BCCBlock<const R>& coefficients,
   const BCCPositions<R>& x, const BCCPosition<R>& y, const BCCPosition<R>& z,
