@@ -154,8 +154,8 @@ bool BCCGridSampler::Run(vtkAlgorithm* self, BCCCoefficientWindow<R>& window,
       store(row.Value, first, c);
       if (slopes)
       {
-        R* target = slopes +
-          3 * (first * static_cast<std::size_t>(components) + static_cast<std::size_t>(c));
+        R* target =
+          slopes + 3 * (first * static_cast<std::size_t>(components) + static_cast<std::size_t>(c));
         this->StoreGradients(row, width, target, 3 * components);
       }
     }
@@ -169,8 +169,8 @@ bool BCCGridSampler::Run(vtkAlgorithm* self, BCCCoefficientWindow<R>& window,
   {
     const int low = this->GetFloor(2, z) - BCCReachBelow.z;
     int last = z;
-    while (last < e[5] &&
-      this->GetFloor(2, last + 1) + BCCReachAbove.z - low < window.GetCapacity())
+    while (
+      last < e[5] && this->GetFloor(2, last + 1) + BCCReachAbove.z - low < window.GetCapacity())
     {
       ++last;
     }
@@ -225,9 +225,7 @@ bool BCCGridSampler::Execute(vtkAlgorithm* self, vtkDataArray* source, const BCC
   const int components = source->GetNumberOfComponents();
   const std::size_t width = static_cast<std::size_t>(this->Piece[1] - this->Piece[0] + 1);
   const auto bytes = [](vtkDataArray* array)
-  {
-    return array ? static_cast<double>(array->GetDataSize()) * array->GetDataTypeSize() : 0.0;
-  };
+  { return array ? static_cast<double>(array->GetDataSize()) * array->GetDataTypeSize() : 0.0; };
   const double tenth = 0.1 * (bytes(source) + bytes(values) + bytes(gradients));
   bool done = false;
   const auto run = [&](auto sample)
@@ -237,14 +235,12 @@ bool BCCGridSampler::Execute(vtkAlgorithm* self, vtkDataArray* source, const BCC
     const BCCBlock<const T> samples(
       static_cast<const T*>(source->GetVoidPointer(0)), held, components);
     const FillFunction<R> fill = [=](int k, const std::vector<BCCBlock<R>>& planes)
-    {
-      FillPaddedLayer(this->Kernel, this->QuasiInterpolation, this->Whole, samples, k, planes);
-    };
+    { FillPaddedLayer(this->Kernel, this->QuasiInterpolation, this->Whole, samples, k, planes); };
     StoreFunction<R> store;
     switch (values->GetDataType())
     {
-      vtkTemplateMacro(store = MakeStore<R>(
-                         static_cast<VTK_TT*>(values->GetVoidPointer(0)), width, components));
+      vtkTemplateMacro(
+        store = MakeStore<R>(static_cast<VTK_TT*>(values->GetVoidPointer(0)), width, components));
     }
     BCCCoefficientWindow<R> window(this->GetPaddedExtent(), components, tenth);
     done = store && this->Run<R>(self, window, fill, store, gradients, begin);

@@ -68,8 +68,7 @@ private:
     const StoreFunction<R>& store, vtkDataArray* gradients, double begin) const;
 
   template <class R>
-  void StoreGradients(
-    const BCCResults<R>& row, std::size_t size, R* target, int stride) const;
+  void StoreGradients(const BCCResults<R>& row, std::size_t size, R* target, int stride) const;
 
   double GetPosition(int axis, int n) const;
   int GetFloor(int axis, int n) const;

@@ -3,5 +3,12 @@
 
 # Sources and filters, one class a line.
 set(BRAVAIS_FILTERS
+  vtkBCCPrefilter
   vtkBCCVolumeSource
+  vtkBCCVolumeToImage
+)
+
+# What they are made of and nobody else needs, one name a line for <Name>.h and <Name>.cxx.
+set(BRAVAIS_FILTERS_PRIVATE
+  BCCGridSampler
 )

@@ -62,14 +62,13 @@ struct Grid
     {
       const double length = s[axis] *
         (static_cast<double>(whole[2 * axis + 1]) - whole[2 * axis] + (axis < 2 ? 0.5 : 0.0));
-      const double count =
-        wanted[axis] != 0 ? wanted[axis] : std::floor(length / s[2] + 0.5) + 1.0;
+      const double count = wanted[axis] != 0 ? wanted[axis] : std::floor(length / s[2] + 0.5) + 1.0;
       if (!(count >= 1.0 && count < VTK_INT_MAX / 2))
       {
         std::ostringstream text;
         text << "OutputDimensions are " << wanted[0] << ", " << wanted[1] << ", " << wanted[2]
-             << ", which stands for " << count << " points along " << "xyz"[axis]
-             << "; 1 to 2^30 were expected, or 0 for the input's spacing.";
+             << ", which stands for " << count << " points along "
+             << "xyz"[axis] << "; 1 to 2^30 were expected, or 0 for the input's spacing.";
         why = text.str();
         return false;
       }
@@ -109,8 +108,7 @@ int vtkBCCVolumeToImage::RequestInformation(
   }
   Grid grid;
   std::string why;
-  if (!bravais::CheckExtent(whole, 1, why) ||
-    !grid.Set(whole, s, this->OutputDimensions, why) ||
+  if (!bravais::CheckExtent(whole, 1, why) || !grid.Set(whole, s, this->OutputDimensions, why) ||
     !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why))
   {
     vtkErrorMacro(<< why);
@@ -163,8 +161,7 @@ int vtkBCCVolumeToImage::RequestUpdateExtent(
   const int dimensions[3] = { outWhole[1] + 1, outWhole[3] + 1, outWhole[5] + 1 };
   const bravais::BCCGridSampler sampler(
     bravais::ToBCCExtent(whole), dimensions, bravais::ToBCCExtent(extent));
-  in->Set(
-    vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), sampler.GetInputExtent().data(), 6);
+  in->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), sampler.GetInputExtent().data(), 6);
   return 1;
 }
 
@@ -200,8 +197,7 @@ int vtkBCCVolumeToImage::RequestData(
   }
   vtkDataArray* scalars = input->GetPointData()->GetScalars();
   const int components = scalars->GetNumberOfComponents();
-  const int type =
-    this->OutputScalarType < 0 ? scalars->GetDataType() : this->OutputScalarType;
+  const int type = this->OutputScalarType < 0 ? scalars->GetDataType() : this->OutputScalarType;
   const int coefficientType = bravais::GetBCCCoefficientType(scalars->GetDataType());
   const int size = vtkDataArray::GetDataTypeSize(type);
   if (size < 1 || type == VTK_BIT)

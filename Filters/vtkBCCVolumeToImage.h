@@ -25,7 +25,8 @@
  * as well.
  *
  * Any piece of the output equals that piece of the whole. Bad input (not tagged, fewer than two
- * layers, negative dimensions, BCC7 or BCC12 with Interpolation) gets one error and an empty output.
+ * layers, negative dimensions, BCC7 or BCC12 with Interpolation) gets one error and an empty
+ * output.
  *
  * @code{.py}
  * image = vtkBCCVolumeToImage()

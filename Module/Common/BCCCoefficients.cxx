@@ -46,8 +46,7 @@ void CopyLayer(const BCCBlock<const T>& from, const BCCBlock<R>& to, int k)
   const std::int64_t size = (std::int64_t{ e[1] } - e[0] + 1) * to.Components;
   for (int j = e[2]; j <= e[3]; ++j)
   {
-    const T* source =
-      from.GetRow(j, k) + (std::int64_t{ e[0] } - from.Extent[0]) * from.Components;
+    const T* source = from.GetRow(j, k) + (std::int64_t{ e[0] } - from.Extent[0]) * from.Components;
     std::transform(source, source + size, to.GetRow(j, k), [](T v) { return static_cast<R>(v); });
   }
 }
@@ -147,17 +146,20 @@ bool ComputeBCCCoefficients(vtkAlgorithm* self, vtkImageData* image, const int w
   const int components = scalars->GetNumberOfComponents();
   const BCCExtent held = ToBCCExtent(image->GetExtent());
   bool done = false;
+  const auto run = [&](auto sample)
+  {
+    using T = decltype(sample);
+    using R = BCCCoefficient<T>;
+    const BCCBlock<const T> samples(
+      static_cast<const T*>(scalars->GetVoidPointer(0)), held, components);
+    const BCCBlock<R> target(
+      static_cast<R*>(coefficients->GetVoidPointer(0)), ToBCCExtent(extent), components);
+    done = Compute<T, R>(self, ToBCCExtent(whole), *ToBCCKernel(kernel), *ToBCCPrefilter(prefilter),
+      samples, target, begin, end);
+  };
   switch (scalars->GetDataType())
   {
-    vtkTemplateMacro({
-      using R = BCCCoefficient<VTK_TT>;
-      const BCCBlock<const VTK_TT> samples(
-        static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)), held, components);
-      const BCCBlock<R> target(
-        static_cast<R*>(coefficients->GetVoidPointer(0)), ToBCCExtent(extent), components);
-      done = Compute<VTK_TT, R>(self, ToBCCExtent(whole), *ToBCCKernel(kernel),
-        *ToBCCPrefilter(prefilter), samples, target, begin, end);
-    });
+    vtkTemplateMacro(run(VTK_TT{}));
   }
   return done;
 }

@@ -4,8 +4,8 @@
 #define BCCCoefficients_h
 
 /// \file
-/// From the scalars of a BCC image to spline coefficients: what the filter, the interpolator and the
-/// mapper share.
+/// From the scalars of a BCC image to spline coefficients: what the filter, the interpolator and
+/// the mapper share.
 
 #include "BCCBlock.h"
 

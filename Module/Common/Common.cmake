@@ -9,5 +9,6 @@ set(BRAVAIS_COMMON
 # Functions that they share and nobody else needs, one name a line for <Name>.h and <Name>.cxx.
 set(BRAVAIS_COMMON_PRIVATE
   BCCChecks
+  BCCCoefficients
   SliceLoop
 )

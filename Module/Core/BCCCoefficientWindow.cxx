@@ -15,15 +15,13 @@ constexpr int FewestLayers = 10;
 }
 
 template <class R>
-BCCCoefficientWindow<R>::BCCCoefficientWindow(
-  const BCCExtent& padded, int components, double bytes)
+BCCCoefficientWindow<R>::BCCCoefficientWindow(const BCCExtent& padded, int components, double bytes)
   : LayerSize(static_cast<std::size_t>(padded[1] - padded[0] + 1) *
       static_cast<std::size_t>(padded[3] - padded[2] + 1))
 {
   const double layers = bytes / (static_cast<double>(this->LayerSize) * components * sizeof(R));
   const int all = padded[5] - padded[4] + 1;
-  this->Capacity =
-    static_cast<int>(std::min<double>(all, std::max<double>(FewestLayers, layers)));
+  this->Capacity = static_cast<int>(std::min<double>(all, std::max<double>(FewestLayers, layers)));
   const std::size_t plane = this->LayerSize * static_cast<std::size_t>(this->Capacity);
   this->Memory.resize(plane * static_cast<std::size_t>(components) + GetBCCResultSize(0));
   // Before the first move the window ends below the volume.

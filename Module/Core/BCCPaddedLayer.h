@@ -16,8 +16,8 @@ namespace bravais
 ///
 /// `planes` has one block for each component of `samples`, all of one extent, which contains
 /// layer k and may reach beyond `whole` on every side; layer k itself may lie beyond it. The
-/// coefficients are the samples, or their quasi-interpolation for `kernel`. `samples` covers, within
-/// `whole`, the planes' indices and one more on each side, and the layers next to k's image.
+/// coefficients are the samples, or their quasi-interpolation for `kernel`. `samples` covers,
+/// within `whole`, the planes' indices and one more on each side, and the layers next to k's image.
 /// R is BCCCoefficient<T>, or T and R are both float or both double.
 template <class T, class R>
 void FillPaddedLayer(BCCKernel kernel, bool quasiInterpolate, const BCCExtent& whole,

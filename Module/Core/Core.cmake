@@ -5,8 +5,10 @@
 set(BRAVAIS_CORE
   AnalyticSignals
   BCCBlock
+  BCCCoefficientWindow
   BCCKernel
   BCCLattice
+  BCCPaddedLayer
   BCCPrefilter
   BCCQuasiInterpolation
   BCCResponse
@@ -19,6 +21,7 @@ set(BRAVAIS_CORE
 # Those that are a header only, one <Name>.h a line.
 set(BRAVAIS_CORE_HEADERS
   BoxSpline
+  RoundTo
 )
 
 # Parts that these headers include.

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBCCPrefilter.h"
+
+#include "BCCBlock.h"
+#include "BCCChecks.h"
+#include "BCCCoefficients.h"
+#include "BCCKernel.h"
+#include "BCCPrefilter.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkBCCPrefilter);
+
+//------------------------------------------------------------------------------
+const char* vtkBCCPrefilter::GetMethodAsString()
+{
+  const auto method = bravais::ToBCCPrefilter(this->Method);
+  return method ? bravais::GetName(*method) : "Unknown";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkBCCPrefilter::GetKernelAsString()
+{
+  const auto kernel = bravais::ToBCCKernel(this->Kernel);
+  return kernel ? bravais::GetName(*kernel) : "Unknown";
+}
+
+//------------------------------------------------------------------------------
+int vtkBCCPrefilter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBCCPrefilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  std::string why;
+  if (!bravais::CheckBCCSpline(this->Kernel, this->Method, why))
+  {
+    vtkErrorMacro(<< why);
+    vtkImageData::GetData(outputs)->Initialize();
+    return 0;
+  }
+  vtkInformation* out = outputs->GetInformationObject(0);
+  vtkInformation* scalars =
+    vtkDataObject::GetActiveFieldInformation(inputs[0]->GetInformationObject(0),
+      vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  if (scalars && scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
+  {
+    vtkDataObject::SetPointDataActiveScalarInfo(
+      out, bravais::GetBCCCoefficientType(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE())), -1);
+  }
+  out->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBCCPrefilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* in = inputs[0]->GetInformationObject(0);
+  bravais::BCCExtent whole;
+  bravais::BCCExtent extent;
+  in->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+  outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), extent.data());
+  if (bravais::NeedsWholeVolume(this->Method))
+  {
+    extent = whole;
+  }
+  else if (this->Method == QuasiInterpolation && !bravais::IsEmpty(extent))
+  {
+    extent = bravais::GrowWithin(whole, extent);
+  }
+  in->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBCCPrefilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* in = inputs[0]->GetInformationObject(0);
+  vtkInformation* out = outputs->GetInformationObject(0);
+  vtkImageData* input = vtkImageData::GetData(in);
+  vtkImageData* output = vtkImageData::GetData(out);
+  bravais::BCCExtent whole;
+  bravais::BCCExtent extent;
+  in->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+  out->Get(Pipeline::UPDATE_EXTENT(), extent.data());
+  if (bravais::IsEmpty(extent))
+  {
+    return 1; // a piece without points
+  }
+  const auto fail = [&](const std::string& why)
+  {
+    vtkErrorMacro(<< why);
+    output->Initialize();
+    return 0;
+  };
+  std::string why;
+  if (!bravais::CheckBCCImage(input, whole.data(), why))
+  {
+    return fail(why);
+  }
+  vtkDataArray* scalars = input->GetPointData()->GetScalars();
+  const int components = scalars->GetNumberOfComponents();
+  const int type = bravais::GetBCCCoefficientType(scalars->GetDataType());
+  if (!bravais::CheckMemory(extent.data(), components * vtkDataArray::GetDataTypeSize(type), why))
+  {
+    return fail(why);
+  }
+  const bool all = bravais::NeedsWholeVolume(this->Method);
+  const bravais::BCCExtent needed = all ? whole
+    : this->Method == None              ? extent
+                                        : bravais::GrowWithin(whole, extent);
+  if (!bravais::Contains(bravais::ToBCCExtent(input->GetExtent()), needed))
+  {
+    return fail("The input does not hold the extent that it was asked for.");
+  }
+  // A spectral method makes the whole volume, whatever was asked for.
+  if (all)
+  {
+    extent = whole;
+  }
+  output->SetExtent(extent.data());
+  output->AllocateScalars(type, components);
+  vtkDataArray* coefficients = output->GetPointData()->GetScalars();
+  coefficients->SetName(scalars->GetName());
+  if (!bravais::ComputeBCCCoefficients(this, input, whole.data(), this->Kernel, this->Method,
+        coefficients, extent.data(), 0.0, 1.0))
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCPrefilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
+  os << indent << "Kernel: " << this->GetKernelAsString() << "\n";
+}
