@@ -3,6 +3,7 @@
 
 # Sources and filters, one class a line.
 set(BRAVAIS_FILTERS
+  vtkBCCInterpolator
   vtkBCCPrefilter
   vtkBCCVolumeSource
   vtkBCCVolumeToImage

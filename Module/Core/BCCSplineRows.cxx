@@ -19,8 +19,8 @@ namespace bravais
 
 namespace
 {
-// Enough for the widest vector of any instruction set that is dispatched to.
-constexpr std::size_t MaximumLanes = HWY_MAX_BYTES / sizeof(float);
+// Of the widest vectors there are, 2048 bits. (HWY_MAX_BYTES is that of the compiler's own target.)
+constexpr std::size_t MaximumLanes = 2048 / 8 / sizeof(float);
 }
 
 HWY_EXPORT(RowFloat);
