@@ -153,16 +153,16 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
   add(manyIndependent, "BCC_INDEPENDENT");
   add(mapper->GetRenderToImage(), "BCC_RENDER_TO_IMAGE");
 
-  std::string declarations =
+  const std::string declarations =
     Text::GetSpline(this->Current.Kernel, this->Current.Components, "in_volume[0]") +
     Text::GetRayCast(macros);
   if (this->Current.RefineRoots)
   {
-    declarations += Text::GetIsoSurfaceDeclarations();
+    after("//VTK::RenderToImage::Dec", Text::GetIsoSurfaceDeclarations());
     instead("//VTK::Shading::Impl", Text::GetIsoSurfaceImplementation());
     instead("//VTK::Terminate::Impl", Text::GetIsoSurfaceTermination());
     after("//VTK::Shading::Init", Text::GetIsoSurfaceInit());
-    after("//VTK::Terminate::Init", "  g_bccDepth = l_depthValue.x;\n  g_bccDepthFound = 0.0;");
+    after("//VTK::Terminate::Init", "  g_bccDepth = l_depthValue.x;\n  g_bccDepthTaken = false;");
   }
   if (this->Current.WriteDepth)
   {

@@ -22,7 +22,7 @@ float l_bccSteps; // from the last sample to the ray's end
 bool l_bccFirst;
 bool l_bccLast;
 float g_bccDepth; // of the window
-float g_bccDepthFound;
+bool g_bccDepthTaken;
 
 // The component that has the largest weight.
 int BCCIsoComponent()
@@ -85,10 +85,38 @@ bool BCCIsVisible(vec3 texturePosition)
   return visible;
 }
 
-// Depth in the window.
-float BCCWindowDepth(vec3 texturePosition)
+// The isovalue that a ray meets next when the scalar rises, or falls. l_initialIndex numbers the
+// interval of l_normValues that the last sample is in.
+float BCCNextIsoValue(bool rising)
 {
-  vec4 p = in_projectionMatrix * (in_modelViewMatrix * (in_volumeMatrix[0] *
-    (in_textureDatasetMatrix[0] * vec4(texturePosition, 1.0))));
-  return 0.5 * (gl_DepthRange.diff * p.z / p.w + gl_DepthRange.near + gl_DepthRange.far);
+  l_initialIndex = clamp(l_initialIndex, 0, NUMBER_OF_CONTOURS);
+  return l_normValues[l_initialIndex + (rising ? 1 : 0)];
+}
+
+// After g_dataPos has gone one step further: where that is beyond the ray's end, back to the end.
+void BCCCountStep()
+{
+  ++g_currentT;
+  l_bccSteps -= 1.0;
+  l_bccLast = l_bccSteps <= 0.0;
+  g_dataPos += min(l_bccSteps, 0.0) * g_dirStep;
+}
+
+// Takes the depth of the surface at g_dataPos if it is the first that counts.
+void BCCTakeDepth()
+{
+#ifdef BCC_RENDER_TO_IMAGE
+  if (l_updateDepth && g_srcColor.a > 0.0)
+  {
+    l_opaqueFragPos = g_dataPos;
+    l_updateDepth = false;
+  }
+#endif
+  if (!g_bccDepthTaken && g_fragColor.a > in_bccDepthOpacity)
+  {
+    vec4 p = in_projectionMatrix * (in_modelViewMatrix * (in_volumeMatrix[0] *
+      (in_textureDatasetMatrix[0] * vec4(g_dataPos, 1.0))));
+    g_bccDepth = 0.5 * (gl_DepthRange.diff * p.z / p.w + gl_DepthRange.near + gl_DepthRange.far);
+    g_bccDepthTaken = true;
+  }
 }

@@ -5,10 +5,4 @@
     {
       break;
     }
-    ++g_currentT;
-    l_bccSteps -= 1.0;
-    if (l_bccSteps <= 0.0)
-    {
-      g_dataPos += l_bccSteps * g_dirStep;
-      l_bccLast = true;
-    }
+    BCCCountStep();
