@@ -7,9 +7,14 @@ set(BRAVAIS_FILTERS
   vtkBCCPrefilter
   vtkBCCVolumeSource
   vtkBCCVolumeToImage
+  vtkImageToBCCVolume
 )
 
 # What they are made of and nobody else needs, one name a line for <Name>.h and <Name>.cxx.
 set(BRAVAIS_FILTERS_PRIVATE
   BCCGridSampler
+  BCCPlacement
+  BCCResample
+  BCCSubset
+  LayerSampler
 )

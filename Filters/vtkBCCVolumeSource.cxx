@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCVolumeSource.h"
 
+#include "AnalyticSignals.h"
 #include "BCCChecks.h"
 #include "BCCLattice.h"
 #include "SliceLoop.h"
-#include "AnalyticSignals.h"
 #include "vtkBCCLattice.h"
 
 #include "vtkDataArray.h"

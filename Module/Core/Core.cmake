@@ -6,14 +6,17 @@ set(BRAVAIS_CORE
   AnalyticSignals
   BCCBlock
   BCCCoefficientWindow
+  BCCFit
   BCCKernel
   BCCLattice
+  BCCLowPass
   BCCPaddedLayer
   BCCPrefilter
   BCCQuasiInterpolation
   BCCResponse
   BCCSpectralPrefilter
   BCCSplineRows
+  BSplineSampler
   ChirpTransform
   MirrorTransform
 )
