@@ -5,47 +5,20 @@
 #include "BCCLowPass.h"
 #include "BCCPlacement.h"
 #include "LayerSampler.h"
+#include "RoundTo.h"
 #include "SliceLoop.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
-#include <cmath>
-#include <limits>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 namespace bravais
 {
 namespace
 {
-
-/// The nearest value of a scalar type; NaN becomes an integer's 0.
-template <class T>
-T RoundTo(double value)
-{
-  if constexpr (std::is_floating_point_v<T>)
-  {
-    return static_cast<T>(value);
-  }
-  else
-  {
-    using Limits = std::numeric_limits<T>;
-    const double rounded = std::floor(value + 0.5);
-    // As doubles the limits of 64 bits are one beyond what fits, so that they are not converted.
-    if (rounded <= static_cast<double>(Limits::min()))
-    {
-      return Limits::min();
-    }
-    if (rounded >= static_cast<double>(Limits::max()))
-    {
-      return Limits::max();
-    }
-    return std::isnan(rounded) ? T(0) : static_cast<T>(rounded);
-  }
-}
 
 template <class T>
 bool WriteLayers(

@@ -6,7 +6,8 @@ import unittest
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
-from bravais import vtkBCCLattice, vtkBCCVolumeSource, vtkImageToBCCVolume
+from bravais import (
+    vtkBCCInterpolator, vtkBCCLattice, vtkBCCVolumeSource, vtkImageToBCCVolume)
 from checks import Errors, make_image, refuses
 
 
@@ -107,6 +108,11 @@ class TestImageToBCCVolumeBadInput(unittest.TestCase):
         to_bcc.SetModeToSubset()  # which does not use it
         to_bcc.Update()
         self.assertGreater(to_bcc.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_interpolator_of_bcc_volumes(self):
+        to_bcc = make_filter(make_volume())
+        to_bcc.SetInterpolator(vtkBCCInterpolator())
+        refuses(self, to_bcc, "vtkBCCInterpolator", "Cartesian")
 
     def test_print(self):
         text = str(vtkImageToBCCVolume())
