@@ -6,6 +6,7 @@
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkMatrix3x3.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ bool ReadGrid(vtkInformation* info, ImageGrid& grid, std::string& why)
 {
   std::fill_n(grid.Origin, 3, 0.0);
   std::fill_n(grid.Spacing, 3, 1.0);
+  vtkMatrix3x3::Identity(grid.Direction);
   int* w = grid.Whole;
   std::ostringstream text;
   if (!info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
@@ -35,6 +37,10 @@ bool ReadGrid(vtkInformation* info, ImageGrid& grid, std::string& why)
   if (info->Has(vtkDataObject::SPACING()))
   {
     info->Get(vtkDataObject::SPACING(), grid.Spacing);
+  }
+  if (info->Has(vtkDataObject::DIRECTION()))
+  {
+    info->Get(vtkDataObject::DIRECTION(), grid.Direction);
   }
   if (w[0] >= w[1] || w[2] >= w[3] || w[4] >= w[5])
   {
@@ -65,6 +71,20 @@ bool BCCPlacement::IsDecimation() const
   constexpr double more = 1.0 + 1e-9;
   const double* h = this->Step; // a / spacing of the image
   return 4.0 * h[0] * h[1] * h[2] > more || h[0] > more || h[1] > more || h[2] > more;
+}
+
+//------------------------------------------------------------------------------
+void BCCPlacement::GetOrigin(const ImageGrid& grid, double origin[3]) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = this->Start[axis] * grid.Spacing[axis];
+  }
+  vtkMatrix3x3::MultiplyPoint(grid.Direction, origin, origin);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] += grid.Origin[axis];
+  }
 }
 
 //------------------------------------------------------------------------------

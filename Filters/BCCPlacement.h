@@ -20,6 +20,7 @@ struct ImageGrid
   int Whole[6];
   double Origin[3];
   double Spacing[3];
+  double Direction[9];
 };
 
 /// False, with a sentence, for less than two points along an axis, or a spacing or origin that
@@ -38,6 +39,9 @@ struct BCCPlacement
   /// Whether the lattice is the coarser one: fewer points per volume than the image, or coarser
   /// along an axis.
   bool IsDecimation() const;
+
+  /// World position of the lattice's first point.
+  void GetOrigin(const ImageGrid& grid, double origin[3]) const;
 
   /// Matrix from an output index to the image's index, for the layers of a coset; row major.
   void GetMatrix(int coset, double matrix[16]) const;

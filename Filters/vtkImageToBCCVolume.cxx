@@ -14,7 +14,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -40,25 +39,6 @@ bool Covers(const int outer[6], const int inner[6])
       covers && outer[2 * axis] <= inner[2 * axis] && outer[2 * axis + 1] >= inner[2 * axis + 1];
   }
   return covers;
-}
-
-/// World position of the lattice's first point.
-void GetOrigin(vtkInformation* info, const bravais::ImageGrid& grid,
-  const bravais::BCCPlacement& placement, double origin[3])
-{
-  double offset[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    offset[axis] = placement.Start[axis] * grid.Spacing[axis];
-  }
-  if (const double* direction = info->Get(vtkDataObject::DIRECTION()))
-  {
-    vtkMatrix3x3::MultiplyPoint(direction, offset, offset);
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    origin[axis] = grid.Origin[axis] + offset[axis];
-  }
 }
 
 /// How far beside a point the interpolator reads, on one side alone if a border cuts the other
@@ -207,7 +187,7 @@ int vtkImageToBCCVolume::RequestInformation(vtkInformation* vtkNotUsed(request),
     return this->Fail(outputVector, why);
   }
   double origin[3];
-  GetOrigin(inInfo, grid, placement, origin);
+  placement.GetOrigin(grid, origin);
   outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
   outInfo->Set(vtkDataObject::ORIGIN(), origin, 3);
   outInfo->Set(vtkDataObject::SPACING(), placement.Spacing, 3);
