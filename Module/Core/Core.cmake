@@ -17,8 +17,11 @@ set(BRAVAIS_CORE
   BCCSpectralPrefilter
   BCCSplineRows
   BSplineSampler
+  BayerMeasures
+  BayerPattern
   ChirpTransform
   MirrorTransform
+  OrderedDither
 )
 
 # Those that are a header only, one <Name>.h a line.
