@@ -8,6 +8,8 @@ set(BRAVAIS_FILTERS
   vtkBCCVolumeSource
   vtkBCCVolumeToImage
   vtkImageToBCCVolume
+  vtkBayerPattern
+  vtkOrderedDither
 )
 
 # What they are made of and nobody else needs, one name a line for <Name>.h and <Name>.cxx.

@@ -10,8 +10,6 @@ namespace bravais
 namespace
 {
 
-constexpr int MaximumRankBits = 62;
-
 /// A base order, which is linear, by the ranks of the unit steps along x, y and z and by the cells
 /// (x + 2 y + 4 z) of ranks 1, 2 and 4.
 struct BaseOrder
@@ -37,7 +35,7 @@ const BaseOrder& GetBaseOrder(int dimension, BayerPattern::Base base)
 
 std::optional<BayerPattern> BayerPattern::Create(int dimension, int log2Size, Base base)
 {
-  if (dimension < 2 || dimension > 3 || log2Size < 0 || log2Size > MaximumRankBits / dimension)
+  if (dimension < 2 || dimension > 3 || log2Size < 0 || log2Size > GetMaximumLog2Size(dimension))
   {
     return std::nullopt;
   }

@@ -39,8 +39,11 @@ public:
     BCC  ///< 000 111 110 001 101 010 011 100: antipodes in turn, body-centred cubic lattices
   };
 
-  /// A pattern of 2 or 3 dimensions and of side 2^log2Size, log2Size >= 0; ranks have to fit 62
-  /// bits. In two dimensions the base order is 00 11 10 01, and `base` is not used.
+  /// Of so many dimensions: coordinates fit int, and ranks 63 bits.
+  static constexpr int GetMaximumLog2Size(int dimension) { return dimension == 2 ? 29 : 20; }
+
+  /// A pattern of 2 or 3 dimensions and of side 2^log2Size, log2Size from 0 to the maximum. In two
+  /// dimensions the base order is 00 11 10 01, and `base` is not used.
   static std::optional<BayerPattern> Create(int dimension, int log2Size, Base base = Base::FCC);
 
   int GetDimension() const { return this->Dimension; }

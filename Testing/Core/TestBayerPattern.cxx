@@ -170,7 +170,7 @@ TEST(TestBayerPattern, RefusesWhatIsNoPattern)
   EXPECT_FALSE(BayerPattern::Create(1, 2));
   EXPECT_FALSE(BayerPattern::Create(4, 2));
   EXPECT_FALSE(BayerPattern::Create(2, -1));
-  EXPECT_FALSE(BayerPattern::Create(2, 32));
+  EXPECT_FALSE(BayerPattern::Create(2, 30));
   EXPECT_FALSE(BayerPattern::Create(3, 21));
   EXPECT_FALSE(BayerPattern::Create(3, 2147483647));
 }
@@ -179,7 +179,7 @@ TEST(TestBayerPattern, LargestRanksFit)
 {
   for (const Family& family : Families)
   {
-    const BayerPattern pattern = Make(family, family.Dimension == 2 ? 31 : 20);
+    const BayerPattern pattern = Make(family, BayerPattern::GetMaximumLog2Size(family.Dimension));
     for (const std::int64_t rank : { std::int64_t{ 12345 }, pattern.GetNumberOfCells() - 1 })
     {
       EXPECT_EQ(pattern.GetRank(pattern.GetCell(rank)), rank);
