@@ -11,6 +11,7 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCCoefficientArray
   vtkBCCCoefficientTexels
   vtkBCCVolumeFrame
+  vtkBCCVolumeInput
   vtkBCCVolumeShaderStage
   vtkBCCVolumeShaderText
 )
@@ -22,6 +23,7 @@ set(BRAVAIS_SHADERS
   bcc8Polynomial
   bccBoxSpline
   bccCubicSpline
+  bccFindRoot
   bccFrame
   bccIsoSurfaceDec
   bccIsoSurfaceImpl

@@ -3,8 +3,6 @@
 #include "vtkBCCCoefficientTexels.h"
 
 #include "BCCLattice.h"
-#include "BCCQuasiInterpolation.h"
-#include "BCCSpectralPrefilter.h"
 #include "vtkBCCVolumeFrame.h"
 
 #include "vtkDataArray.h"
@@ -13,30 +11,6 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
-#include <atomic>
-#include <numeric>
-#include <type_traits>
-
-namespace
-{
-bravais::BCCExtent ToExtent(const int extent[6])
-{
-  return { extent[0], extent[1], extent[2], extent[3], extent[4], extent[5] };
-}
-
-template <class Function>
-void ForEachLayer(const vtkBCCVolumeFrame& frame, const Function& function)
-{
-  vtkSMPTools::For(static_cast<vtkIdType>(frame.Low[2]), static_cast<vtkIdType>(frame.High[2]) + 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (int z = static_cast<int>(begin); z < end; ++z)
-      {
-        function(z);
-      }
-    });
-}
-}
 
 //------------------------------------------------------------------------------
 glm::ivec3 vtkBCCCoefficientTexels::GetSize(const vtkBCCVolumeFrame& frame)
@@ -62,98 +36,46 @@ float* vtkBCCCoefficientTexels::GetTexel(int i, int j, int slice)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCCoefficientTexels::Load(const vtkBCCVolumeFrame& frame, vtkDataArray* samples,
-  bravais::BCCKernel kernel, bravais::BCCPrefilter prefilter)
+void vtkBCCCoefficientTexels::Pack(const vtkBCCVolumeFrame& frame, vtkDataArray* coefficients)
 {
   this->Size = GetSize(frame);
-  this->Components = samples->GetNumberOfComponents();
+  this->Components = coefficients->GetNumberOfComponents();
   this->Values.resize(
     static_cast<std::size_t>(this->Size.x) * this->Size.y * this->Size.z * this->Components);
-
-  // Quasi-interpolation with BCC4 leaves samples as they are.
-  const auto local =
-    prefilter == bravais::BCCPrefilter::QuasiInterpolation ? kernel : bravais::BCCKernel::BCC4;
-  const void* pointer = samples->GetVoidPointer(0);
-  std::atomic<bool> good(true);
-  ForEachLayer(frame,
-    [&](int z)
+  const void* values = coefficients->GetVoidPointer(0);
+  const bool doubles = coefficients->GetDataType() == VTK_DOUBLE;
+  vtkSMPTools::For(static_cast<vtkIdType>(frame.Low[2]), static_cast<vtkIdType>(frame.High[2]) + 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      switch (samples->GetDataType())
+      for (int z = static_cast<int>(begin); z < end; ++z)
       {
-        vtkTemplateMacro(
-          good = this->LoadLayer(frame, static_cast<const VTK_TT*>(pointer), local, z) && good);
+        if (doubles)
+        {
+          this->PackLayer(frame, static_cast<const double*>(values), z);
+        }
+        else
+        {
+          this->PackLayer(frame, static_cast<const float*>(values), z);
+        }
+        this->MirrorInSlice(frame, z);
       }
     });
-  if (good && prefilter > bravais::BCCPrefilter::QuasiInterpolation)
-  {
-    good = this->ApplySpectralPrefilter(frame, kernel, prefilter);
-  }
-  ForEachLayer(frame, [&](int z) { this->MirrorInSlice(frame, z); });
   this->MirrorSlices(frame);
-  return good;
-}
-
-//------------------------------------------------------------------------------
-bool vtkBCCCoefficientTexels::ApplySpectralPrefilter(
-  const vtkBCCVolumeFrame& frame, bravais::BCCKernel kernel, bravais::BCCPrefilter prefilter)
-{
-  const bravais::BCCExtent whole = ToExtent(frame.Extent);
-  bravais::BCCBlock<float> volume(nullptr, whole, this->Components);
-  std::vector<float> values(volume.LayerStride * (whole[5] - whole[4] + 1));
-  volume.Data = values.data();
-  const auto forEachRow = [&](auto&& copy)
-  {
-    ForEachLayer(frame,
-      [&](int z)
-      {
-        for (int j = whole[2]; j <= whole[3]; ++j)
-        {
-          copy(volume.GetRow(j, whole[4] + z - static_cast<int>(frame.Low[2])),
-            this->GetTexel(Halo, Halo + j - whole[2], this->GetSlice(z)));
-        }
-      });
-  };
-  forEachRow([&](float* row, float* texels) { std::copy_n(texels, volume.RowStride, row); });
-  const auto parallelFor = [](std::int64_t begin, std::int64_t end, const auto& body)
-  { vtkSMPTools::For(begin, end, [&](vtkIdType b, vtkIdType e) { body(b, e); }); };
-  const bool good = bravais::ApplySpectralPrefilter(kernel, prefilter, volume, parallelFor);
-  forEachRow([&](float* row, float* texels) { std::copy_n(row, volume.RowStride, texels); });
-  return good;
 }
 
 //------------------------------------------------------------------------------
 template <class T>
-bool vtkBCCCoefficientTexels::LoadLayer(
-  const vtkBCCVolumeFrame& frame, const T* samples, bravais::BCCKernel kernel, int z)
+void vtkBCCCoefficientTexels::PackLayer(
+  const vtkBCCVolumeFrame& frame, const T* coefficients, int z)
 {
-  using R = bravais::BCCCoefficient<T>;
-  const bravais::BCCExtent whole = ToExtent(frame.Extent);
-  const int k = whole[4] + z - static_cast<int>(frame.Low[2]);
-  bravais::BCCExtent extent = whole;
-  extent[4] = extent[5] = k;
-  const bravais::BCCBlock<const T> input(samples, whole, this->Components);
-
-  float* texels = this->GetTexel(Halo, Halo, this->GetSlice(z));
-  const std::int64_t stride = static_cast<std::int64_t>(this->Size.x) * this->Components;
-  if constexpr (std::is_same_v<R, float>)
+  const std::size_t rows = frame.Extent[3] - frame.Extent[2] + 1;
+  const std::size_t row = (frame.Extent[1] - frame.Extent[0] + 1) * this->Components;
+  const T* from = coefficients + (z - static_cast<int>(frame.Low[2])) * rows * row;
+  for (std::size_t j = 0; j < rows; ++j, from += row)
   {
-    bravais::BCCBlock<float> layer(texels, extent, this->Components);
-    layer.RowStride = stride;
-    return bravais::QuasiInterpolate(kernel, whole, input, layer);
-  }
-  else
-  {
-    const bravais::BCCBlock<R> shape(nullptr, extent, this->Components);
-    std::vector<R> values(shape.LayerStride);
-    const bravais::BCCBlock<R> layer(values.data(), extent, this->Components);
-    const bool good = bravais::QuasiInterpolate(kernel, whole, input, layer);
-    for (int j = extent[2]; good && j <= extent[3]; ++j)
-    {
-      const R* row = layer.GetRow(j, k);
-      std::transform(row, row + layer.RowStride, texels + (j - extent[2]) * stride,
-        [](R value) { return static_cast<float>(value); });
-    }
-    return good;
+    std::transform(from, from + row,
+      this->GetTexel(Halo, Halo + static_cast<int>(j), this->GetSlice(z)),
+      [](T value) { return static_cast<float>(value); });
   }
 }
 

@@ -18,8 +18,6 @@
 #ifndef vtkBCCCoefficientTexels_h
 #define vtkBCCCoefficientTexels_h
 
-#include "BCCKernel.h"
-#include "BCCPrefilter.h"
 #include "vtkBravaisModule.h" // For export macro
 
 #include <glm/vec3.hpp>
@@ -39,10 +37,8 @@ public:
   static glm::ivec3 GetSize(const vtkBCCVolumeFrame& frame);
   static int GetCosetDepth(const vtkBCCVolumeFrame& frame) { return GetSize(frame).z / 2; }
 
-  /// Prefilters the samples of a volume and packs the coefficients. False, with values of no
-  /// meaning, if the kernel has no such prefilter.
-  bool Load(const vtkBCCVolumeFrame& frame, vtkDataArray* samples, bravais::BCCKernel kernel,
-    bravais::BCCPrefilter prefilter);
+  /// Packs an array of float or double coefficients, one tuple a point of the volume.
+  void Pack(const vtkBCCVolumeFrame& frame, vtkDataArray* coefficients);
 
   glm::ivec3 Size = glm::ivec3(0);
   int Components = 0;
@@ -51,10 +47,7 @@ public:
 private:
   float* GetTexel(int i, int j, int slice);
   template <class T>
-  bool LoadLayer(
-    const vtkBCCVolumeFrame& frame, const T* samples, bravais::BCCKernel kernel, int z);
-  bool ApplySpectralPrefilter(
-    const vtkBCCVolumeFrame& frame, bravais::BCCKernel kernel, bravais::BCCPrefilter prefilter);
+  void PackLayer(const vtkBCCVolumeFrame& frame, const T* coefficients, int z);
   void MirrorInSlice(const vtkBCCVolumeFrame& frame, int z);
   void MirrorSlices(const vtkBCCVolumeFrame& frame);
   int GetSlice(int z) const;

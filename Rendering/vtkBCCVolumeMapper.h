@@ -27,9 +27,9 @@
  * @endcode
  *
  * An input that is not a tagged image, is empty or has fewer than two layers, has no point scalars,
- * no finite value or more than four components, a texture larger than OpenGL takes, or a kernel the
- * prefilter cannot serve: one error each until something changes, and nothing is rendered. NaN
- * samples spread as far as prefilter and kernel reach, and leave holes.
+ * no finite value or more than four components, a texture larger than OpenGL takes, an unknown
+ * kernel or prefilter, or two that do not go together: one error each until something changes, and
+ * nothing is rendered. NaN samples spread as far as prefilter and kernel reach, and leave holes.
  *
  * Several inputs at once (vtkMultiVolume), partitions and the depth pass of
  * vtkGPUVolumeRayCastMapper, which know Cartesian grids only, are refused in the same way.
@@ -59,7 +59,7 @@ public:
   /**
    * The kernel that samples are reconstructed with, one of vtkBCCLattice::Kernels: BCC7 by default.
    */
-  void SetKernel(int kernel);
+  vtkSetMacro(Kernel, int);
   vtkGetMacro(Kernel, int);
   void SetKernelToBCC4() { this->SetKernel(4); }
   void SetKernelToBCC7() { this->SetKernel(7); }
@@ -74,7 +74,7 @@ public:
    * that the spline passes through the samples (Interpolation, with BCC4 and BCC8 only), or by the
    * orthogonal projection of the band-limited signal. Done when data, kernel or this changes.
    */
-  void SetPrefilter(int prefilter);
+  vtkSetMacro(Prefilter, int);
   vtkGetMacro(Prefilter, int);
   void SetPrefilterToNone() { this->SetPrefilter(0); }
   void SetPrefilterToQuasiInterpolation() { this->SetPrefilter(1); }
@@ -98,10 +98,10 @@ public:
   /**
    * In isosurface blending, whether surfaces are shaded at the spline's roots, found between
    * samples on either side of an isovalue, or by VTK at the sample after. On by default. Refined
-   * surfaces are composited front to back, jitter does not move them, and the depth of the first
-   * visible one is what the depth image tells. It is written into the depth buffer too, where
-   * surfaces have added up to opaque, or in a selection as soon as they are visible, unless another
-   * render pass decides on the depth buffer.
+   * surfaces are composited front to back, jitter does not move them, cropping and masks cut them
+   * without closing the cuts, and the depth of the first visible one is what the depth image tells.
+   * It is written into the depth buffer too, where surfaces have added up to opaque, or in a
+   * selection as soon as they are visible, unless another render pass decides on the depth buffer.
    */
   vtkSetMacro(IsoSurfaceRefinement, bool);
   vtkGetMacro(IsoSurfaceRefinement, bool);

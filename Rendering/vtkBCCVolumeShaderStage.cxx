@@ -79,7 +79,7 @@ void vtkBCCVolumeShaderStage::Begin(vtkRenderer* renderer, vtkVolume* volume,
   if (options.WriteDepth)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    this->Saved.reset(new DepthState(window->GetState()));
+    this->Saved = std::make_unique<DepthState>(window->GetState());
   }
 
   vtkInformation* keys = volume->GetPropertyKeys();
@@ -158,7 +158,7 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
     Text::GetRayCast(macros);
   if (this->Current.RefineRoots)
   {
-    after("//VTK::RenderToImage::Dec", Text::GetIsoSurfaceDeclarations());
+    after("//VTK::RenderToImage::Dec", Text::GetIsoSurfaceDeclarations() + Text::GetFindRoot());
     instead("//VTK::Shading::Impl", Text::GetIsoSurfaceImplementation());
     instead("//VTK::Terminate::Impl", Text::GetIsoSurfaceTermination());
     after("//VTK::Shading::Init", Text::GetIsoSurfaceInit());

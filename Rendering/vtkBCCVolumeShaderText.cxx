@@ -7,6 +7,7 @@
 #include "bcc8Polynomial_glsl.h"
 #include "bccBoxSpline_glsl.h"
 #include "bccCubicSpline_glsl.h"
+#include "bccFindRoot_glsl.h"
 #include "bccFrame_glsl.h"
 #include "bccIsoSurfaceDec_glsl.h"
 #include "bccIsoSurfaceImpl_glsl.h"
@@ -62,6 +63,12 @@ std::string vtkBCCVolumeShaderText::GetRayCast(const std::vector<std::string>& m
     text += Define(macro, "1");
   }
   return text + bccRayCast_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetFindRoot()
+{
+  return bccFindRoot_glsl;
 }
 
 //------------------------------------------------------------------------------

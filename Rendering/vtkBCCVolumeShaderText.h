@@ -27,6 +27,9 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   /// What VTK's ray caster uses of it, with these macros defined to 1: see bccRayCast.glsl.
   static std::string GetRayCast(const std::vector<std::string>& macros);
 
+  /// FindRoot(), which needs a BCCDifference().
+  static std::string GetFindRoot();
+
   /// Isosurfaces at refined roots: the texts that go to VTK's tags.
   static std::string GetIsoSurfaceDeclarations();
   static std::string GetIsoSurfaceInit();

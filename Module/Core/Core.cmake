@@ -27,6 +27,7 @@ set(BRAVAIS_CORE
 # Those that are a header only, one <Name>.h a line.
 set(BRAVAIS_CORE_HEADERS
   BoxSpline
+  FindRoot
   RoundTo
 )
 

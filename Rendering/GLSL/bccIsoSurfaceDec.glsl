@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Isosurfaces at the true roots of the spline along the ray. Between two samples on either side of
-// an isovalue the root is found by the Illinois variant of regula falsi, and is shaded there.
+// Isosurfaces at the true roots of the spline along the ray: between two samples on either side of
+// an isovalue the root is found, and shaded there.
 
 uniform float in_bccDepthOpacity; // the opacity from which a surface counts for the depth
-
-const int BCCMaximumIterations = 16;
-const float BCCRootTolerance = 1e-6; // of the scalar range
 
 // The argument that VTK's functions take where components are independent.
 #ifdef BCC_INDEPENDENT
@@ -18,6 +15,8 @@ const float BCCRootTolerance = 1e-6; // of the scalar range
 
 vec3 l_bccPosition; // the last sample's
 float l_bccScalar;
+vec3 l_bccStep; // from it to this one
+float l_bccIsoValue; // that the ray meets next
 float l_bccSteps; // from the last sample to the ray's end
 bool l_bccFirst;
 bool l_bccLast;
@@ -45,31 +44,10 @@ float BCCIsoScalar(vec3 texturePosition)
   return isnan(scalar) ? scalar : clamp(scalar, -1e19, 1e19);
 }
 
-// Where the spline has the isovalue between position (f0 there) and position + step (f1): a number
-// from 0 to 1. f0 and f1 are differences from the isovalue and of opposite signs.
-float BCCFindRoot(vec3 position, vec3 step, float f0, float f1, float isoValue)
+// What FindRoot looks for: between the last sample and this one, where the scalar is the isovalue.
+float BCCDifference(float s)
 {
-  float s0 = 0.0;
-  float s1 = 1.0;
-  float s = 1.0;
-  float kept = 0.0; // which end the last iteration kept
-  for (int i = 0; i < BCCMaximumIterations; ++i)
-  {
-    s = clamp((s0 * f1 - s1 * f0) / (f1 - f0), s0, s1);
-    float f = BCCIsoScalar(position + s * step) - isoValue;
-    if (abs(f) < BCCRootTolerance)
-    {
-      break;
-    }
-    bool near = f * f1 > 0.0;
-    s0 = near ? s0 : s;
-    s1 = near ? s : s1;
-    // An end that is kept twice counts half.
-    f0 = near ? (kept < 0.0 ? 0.5 * f0 : f0) : f;
-    f1 = near ? f : (kept > 0.0 ? 0.5 * f1 : f1);
-    kept = near ? -1.0 : 1.0;
-  }
-  return s;
+  return BCCIsoScalar(l_bccPosition + s * l_bccStep) - l_bccIsoValue;
 }
 
 // Whether cropping and a binary mask leave a point.

@@ -4,7 +4,6 @@
 #if NUMBER_OF_CONTOURS
     {
       float value;
-      float isoValue;
       bool rising;
       bool crossed;
       // To the next sample beyond an isovalue, or the last. This loop holds nothing else, as there
@@ -20,8 +19,8 @@
           l_bccScalar = value;
           l_bccFirst = false;
         }
-        isoValue = BCCNextIsoValue(rising);
-        crossed = rising ? value > isoValue : value < isoValue;
+        l_bccIsoValue = BCCNextIsoValue(rising);
+        crossed = rising ? value > l_bccIsoValue : value < l_bccIsoValue;
         if (crossed || l_bccLast)
         {
           break;
@@ -34,17 +33,16 @@
 
       // All surfaces since the sample before, in their order.
       vec3 samplePosition = g_dataPos;
-      vec3 step = samplePosition - l_bccPosition;
+      l_bccStep = samplePosition - l_bccPosition;
       do
       {
         if (crossed)
         {
-          float root = BCCFindRoot(
-            l_bccPosition, step, l_bccScalar - isoValue, value - isoValue, isoValue);
-          g_dataPos = l_bccPosition + root * step;
+          g_dataPos = l_bccPosition +
+            FindRoot(l_bccScalar - l_bccIsoValue, value - l_bccIsoValue) * l_bccStep;
           if (BCCIsVisible(g_dataPos))
           {
-            vec4 vs = vec4(isoValue);
+            vec4 vs = vec4(l_bccIsoValue);
             g_srcColor.a = computeOpacity(vs BCC_COMPONENT_ARGUMENT);
             g_srcColor = computeColor(vs, g_srcColor.a BCC_COMPONENT_ARGUMENT);
             g_srcColor.rgb *= g_srcColor.a;
@@ -52,8 +50,8 @@
             BCCTakeDepth();
           }
           l_initialIndex += rising ? 1 : -1;
-          isoValue = BCCNextIsoValue(rising);
-          crossed = (rising ? value > isoValue : value < isoValue) &&
+          l_bccIsoValue = BCCNextIsoValue(rising);
+          crossed = (rising ? value > l_bccIsoValue : value < l_bccIsoValue) &&
             g_fragColor.a <= g_opacityThreshold;
         }
       } while (crossed);

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBCCVolumeInput
+ * @brief   what vtkBCCVolumeMapper makes of its input before anything is rendered
+ *
+ * An image and the array of it that is to be rendered are checked, prefiltered and packed; the
+ * coefficients are kept until image, array, kernel or prefilter change. Each step returns false,
+ * and tells why, if what it is given cannot be rendered.
+ */
+
+#ifndef vtkBCCVolumeInput_h
+#define vtkBCCVolumeInput_h
+
+#include "vtkBCCCoefficientTexels.h"
+#include "vtkBCCVolumeFrame.h"
+
+#include "vtkNew.h"
+#include "vtkTimeStamp.h"
+#include "vtkType.h"
+
+#include <optional>
+#include <string>
+#include <tuple>
+
+class vtkDataArray;
+class vtkImageData;
+
+class vtkBCCVolumeInput
+{
+public:
+  vtkBCCVolumeInput();
+  ~vtkBCCVolumeInput();
+
+  /// Takes an image and point scalars of it.
+  bool SetSource(vtkImageData* image, vtkDataArray* scalars, std::string& why);
+
+  /// Whether the texture fits OpenGL's largest.
+  bool CheckTexture(int limit, std::string& why) const;
+
+  /// Makes coefficients and stand-in, if they are not those of the source already.
+  bool Load(int kernel, int prefilter, std::string& why);
+
+  /// What makes 0 to 1 of the samples' type, as textures of VTK do for colours.
+  float GetNormalizer() const;
+
+  std::optional<vtkBCCVolumeFrame> Frame;
+  vtkBCCCoefficientTexels Texels;
+  vtkNew<vtkImageData> StandIn; ///< What VTK is shown: see vtkBCCVolumeFrame.
+  vtkTimeStamp LoadTime;
+
+private:
+  vtkNew<vtkImageData> Source; // with the scalars that are rendered
+  std::tuple<vtkImageData*, vtkMTimeType, vtkDataArray*> Current;
+  std::tuple<vtkImageData*, vtkMTimeType, vtkDataArray*, int, int> Loaded;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkBCCVolumeInput.h
