@@ -279,7 +279,7 @@ bool vtkImageToBCCVolume::ResampleScalars(
 {
   vtkAbstractImageInterpolator* interpolator = this->Interpolator;
   int reach[3];
-  GetReach(interpolator, placement, reach);
+  GetReach(interpolator, placement, reach); // for the sampling that the interpolator learns
   output->AllocateScalars(input->GetScalarType(),
     interpolator->ComputeNumberOfComponents(input->GetNumberOfScalarComponents()));
   output->GetPointData()->GetScalars()->SetName(input->GetPointData()->GetScalars()->GetName());
