@@ -12,6 +12,7 @@ if (BRAVAIS_BUILD_TESTING)
   list(APPEND bravais_vtk_modules CommonMisc IOImage IOXML ImagingSources InteractionStyle
     RenderingFreeType TestingCore TestingRendering)
   find_package(GTest REQUIRED)
+  find_package(benchmark REQUIRED)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${bravais_vtk_modules})
 
