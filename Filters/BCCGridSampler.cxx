@@ -136,6 +136,7 @@ bool BCCGridSampler::Run(vtkAlgorithm* self, BCCCoefficientWindow<R>& window,
   const std::size_t width = static_cast<std::size_t>(e[1] - e[0] + 1);
   const int height = e[3] - e[2] + 1;
   BCCPositions<R> x(width);
+  x.SetDense(this->Dimensions[0] > 1.25 * (this->Whole[1] - this->Whole[0] + 1.0));
   for (int i = e[0]; i <= e[1]; ++i)
   {
     x.Set(static_cast<std::size_t>(i - e[0]), BCCPosition<R>(this->GetPosition(0, i)));

@@ -10,6 +10,14 @@ inline constexpr int BCC4Stencil[4][3] = {
   { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 1 }, { 1, 1, -1 },
 };
 
+/// The kernels' polynomials there: place in the stencil, powers of x, y and z, factor times
+/// BCC4Scale.
+inline constexpr short BCC4Monomials[9][5] = {
+  { 0, 0, 0, 0, 2 }, { 0, 0, 1, 0, -1 }, { 0, 1, 0, 0, -1 }, { 1, 0, 1, 0, -1 }, { 1, 1, 0, 0, 1 },
+  { 2, 0, 0, 1, 1 }, { 2, 0, 1, 0, 1 }, { 3, 0, 0, 1, -1 }, { 3, 0, 1, 0, 1 },
+};
+inline constexpr int BCC4Scale = 2;
+
 /// Fetches the stencil's coefficients from the places of the even point (0, 0, 0) and the odd point
 /// (1, 1, 1) by steps s0, s1, s2 of 2 along the tetrahedron's axes.
 template <class O, class Fetch, class T>

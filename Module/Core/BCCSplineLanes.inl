@@ -217,6 +217,7 @@ LanesResults<R> EvaluateTetrahedron(const Memory<R>& memory, const LanesPosition
 }
 
 #include "BCCSplineCubic.inl"
+#include "BCCSplinePieces.inl"
 
 template <bool Gradient, class R>
 LanesResults<R> EvaluateAny(BCCKernel kernel, const Memory<R>& memory, const LanesPosition<R>& x,
@@ -243,6 +244,19 @@ void Row(BCCKernel kernel, const BCCBlock<const R>& coefficients, const BCCPosit
   {
     EvaluateCubicRow<Gradient>(coefficients, x, y, z, results);
     return;
+  }
+  if constexpr (!Gradient)
+  {
+    if (x.IsDense() && kernel == BCCKernel::BCC7)
+    {
+      EvaluatePiecesRow<BCCKernel::BCC7>(coefficients, x, y, z, results);
+      return;
+    }
+    if (x.IsDense() && kernel == BCCKernel::BCC8)
+    {
+      EvaluatePiecesRow<BCCKernel::BCC8>(coefficients, x, y, z, results);
+      return;
+    }
   }
   // Along a row only x varies: the rest of the place is a pointer, and has 64 bits.
   Memory<R> memory(coefficients);

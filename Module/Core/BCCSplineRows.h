@@ -53,12 +53,19 @@ public:
   void Set(std::size_t n, const BCCPosition<R>& position);
   std::size_t GetSize() const { return this->Size; }
 
+  /// Says that the positions ascend, and are less than about 2 apart. Rows are then evaluated in a
+  /// way that is faster and rounds differently, so that all pieces of a row should be told the
+  /// same.
+  void SetDense(bool dense) { this->Dense = dense; }
+  bool IsDense() const { return this->Dense && this->Size > 0; }
+
   std::vector<typename BCCPosition<R>::Integer> Even;
   std::vector<R> Sign;
   std::vector<R> Offset;
 
 private:
   std::size_t Size;
+  bool Dense = false;
 };
 
 /// Where results go: arrays with room for GetBCCResultSize(n) numbers each. The gradient's three

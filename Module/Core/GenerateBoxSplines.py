@@ -283,6 +283,9 @@ class Kernel:
         self.scale = 1
         for d in denominators:
             self.scale = self.scale * d // gcd(self.scale, d)
+        self.monomials = [
+            (i, *m, int(c * self.scale)) for i, j in enumerate(self.stencil) for m, c in sorted(polynomials[j].items())
+        ]
         rows = {}
         for i, j in enumerate(self.stencil):
             for m, c in polynomials[j].items():
@@ -359,6 +362,11 @@ def stencil_text(kernel):
     return "\n".join("  " + r for r in rows)
 
 
+def monomials_text(kernel):
+    cells = ["{ " + ", ".join(str(v) for v in m) + " }," for m in kernel.monomials]
+    return "\n".join("  " + " ".join(cells[i : i + 5]) for i in range(0, len(cells), 5))
+
+
 def cpp_file(kernel):
     k, n = kernel.kernel, len(kernel.stencil)
     polynomial = wrap(kernel.polynomial())
@@ -371,6 +379,13 @@ def cpp_file(kernel):
 inline constexpr int BCC{k}Stencil[{n}][3] = {{
 {stencil_text(kernel)}
 }};
+
+/// The kernels' polynomials there: place in the stencil, powers of x, y and z, factor times
+/// BCC{k}Scale.
+inline constexpr short BCC{k}Monomials[{len(kernel.monomials)}][5] = {{
+{monomials_text(kernel)}
+}};
+inline constexpr int BCC{k}Scale = {kernel.scale};
 
 /// Fetches the stencil's coefficients from the places of the even point (0, 0, 0) and the odd point
 /// (1, 1, 1) by steps s0, s1, s2 of 2 along the tetrahedron's axes.
