@@ -1,12 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-  // The first sample is where the ray enters, at most one step before VTK's first, and the last is
-  // where the ray leaves the box or meets what ends it.
+  // The first sample is where the ray enters, somewhat before VTK's first, and the last is where the
+  // ray leaves the box or meets what ends it. A depth peel starts where the one before it ended.
   {
     float squaredStep = dot(g_dirStep, g_dirStep);
     float back = dot(g_dataPos - (g_rayOrigin - g_rayJitter), g_dirStep) / squaredStep;
-    g_dataPos -= clamp(back, 0.0, 1.0) * g_dirStep;
+    if (zStart >= 0.0)
+    {
+      vec4 start = ip_inverseTextureDataAdjusted * (in_inverseVolumeMatrix[0] *
+        (in_inverseModelViewMatrix * (in_inverseProjectionMatrix *
+          WindowToNDC(gl_FragCoord.x, gl_FragCoord.y, zStart))));
+      back = min(back, dot(g_dataPos - start.xyz / start.w, g_dirStep) / squaredStep);
+    }
+    g_dataPos -= max(back, 0.0) * g_dirStep;
     vec3 far = mix(in_texMin[0], in_texMax[0], greaterThan(g_dirStep, vec3(0.0)));
     vec3 leave = mix((far - g_dataPos) / g_dirStep, vec3(1e20), equal(g_dirStep, vec3(0.0)));
     float terminate = dot(g_terminatePos - g_dataPos, g_dirStep) / squaredStep;

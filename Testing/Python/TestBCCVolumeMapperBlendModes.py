@@ -18,7 +18,7 @@ def wave(x, y, z):
     return numpy.cos(2.5 * x + 0.3) * numpy.cos(3 * y) * numpy.cos(2 * z - 0.4 + x)
 
 
-def render(mapper, image, mode, volume_property, sample_distance=0.02):
+def render(mapper, image, mode, volume_property, sample_distance=0.03):
     mapper.SetInputData(image)
     getattr(mapper, "SetBlendModeTo" + mode)()
     return scenes.Scene(mapper, volume_property, sample_distance=sample_distance).render()
@@ -30,7 +30,7 @@ class TestBCCVolumeMapperBlendModes(unittest.TestCase):
         cls.bcc = scenes.make_bcc(wave)
         cls.cartesian = scenes.make_cartesian(wave)
 
-    def compare(self, mode, volume_property, tolerance, reference_distance=0.02):
+    def compare(self, mode, volume_property, tolerance, reference_distance=0.03):
         reference = render(vtkOpenGLGPUVolumeRayCastMapper(), self.cartesian, mode,
                            volume_property, reference_distance)
         self.assertGreater(reference.std(axis=(0, 1)).max(), 10, "nothing to see")
@@ -41,7 +41,7 @@ class TestBCCVolumeMapperBlendModes(unittest.TestCase):
                 mapper.SetAnalyticGradients(analytic)
                 picture = render(mapper, self.bcc, mode, volume_property)
                 difference = numpy.abs(picture - reference).mean()
-                # Where bcc4 is coarse, linear as it is, a difference of three times is allowed.
+                # bcc4 is linear, and coarse at this number of samples.
                 self.assertLess(difference, tolerance * (3 if kernel == 4 else 1),
                                 f"{mode}, bcc{kernel}, analytic {analytic}")
 
@@ -77,7 +77,7 @@ class TestBCCVolumeMapperBlendModes(unittest.TestCase):
     def test_isosurface(self):
         # VTK shades at the sample after a surface: it gets short steps.
         self.compare("IsoSurface", scenes.make_property(
-            -1, 1, ((-1, 0.3), (1, 1)), iso_values=(-0.5, 0.3, 0.7)), 1.2, 0.004)
+            -1, 1, ((-1, 0.3), (1, 1)), iso_values=(-0.5, 0.3, 0.7)), 1.2, 0.006)
 
     def test_gradient_opacity(self):
         # VTK measures gradients per cell: the average edge of the stand-in's cells here.
