@@ -42,7 +42,8 @@ bravais_install_packages() {
 bravais_start_display() {
   local number
   number=$(mktemp)
-  Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>"$number" >/dev/null 2>&1 &
+  # Without -noreset the server starts anew whenever its last client leaves, and refuses the next.
+  Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 3>"$number" >/dev/null 2>&1 &
   # shellcheck disable=SC2064  # the process as it is now
   trap "kill $! 2>/dev/null; rm -f '$number'" EXIT
   for _ in $(seq 300); do
