@@ -24,7 +24,9 @@ inline T RoundTo(R value)
     // The range's ends as R: the upper one may be rounded up, to one more than the largest T.
     constexpr R low = static_cast<R>(std::numeric_limits<T>::lowest());
     constexpr R high = static_cast<R>(std::numeric_limits<T>::max());
-    const R rounded = std::floor(value + R(0.5));
+    // Not floor(value + 1/2): that sum is rounded as well, wrongly for large odd numbers.
+    const R below = std::floor(value);
+    const R rounded = value - below < R(0.5) ? below : below + R(1);
     if (!(rounded > low))
     {
       return std::isnan(value) ? T(0) : std::numeric_limits<T>::lowest();
