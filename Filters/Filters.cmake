@@ -17,6 +17,7 @@ set(BRAVAIS_FILTERS_PRIVATE
   BCCGridSampler
   BCCPlacement
   BCCResample
+  BCCSplineVolume
   BCCSubset
   LayerSampler
 )

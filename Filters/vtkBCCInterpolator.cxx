@@ -2,26 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCInterpolator.h"
 
-#include "BCCBlock.h"
 #include "BCCChecks.h"
 #include "BCCCoefficients.h"
 #include "BCCKernel.h"
-#include "BCCPaddedLayer.h"
 #include "BCCPrefilter.h"
-#include "BCCQuasiInterpolation.h"
-#include "BCCSplineRows.h"
-#include "BoxSpline.h"
+#include "BCCSplineVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
 
 // The layout that the functions of an interpolator are handed. VTK 9.1 and 9.2 have it in
 // vtkImageInterpolatorInternals.h, which they do not install; InternalUpdate checks it.
@@ -42,123 +36,12 @@ struct vtkInterpolationInfo
 
 vtkStandardNewMacro(vtkBCCInterpolator);
 
-//------------------------------------------------------------------------------
-/// The coefficients of one volume, continued by the mirrors as far as stencils reach.
-class vtkBCCInterpolator::Coefficients
+/// Under a name that the header can announce.
+class vtkBCCInterpolator::Coefficients : public bravais::BCCSplineVolume
 {
 public:
-  vtkSmartPointer<vtkDataArray> Scalars;
-  vtkMTimeType Time = 0;
-  bravais::BCCExtent Whole;
-  bravais::BCCKernel Kernel;
-  int Prefilter = 0;
-
-  template <class R>
-  std::vector<bravais::BCCBlock<R>>& GetPlanes();
-  template <class R>
-  const std::vector<bravais::BCCBlock<R>>& GetPlanes() const
-  {
-    return const_cast<Coefficients*>(this)->GetPlanes<R>();
-  }
-
-  void Compute(vtkImageData* image);
-
-  /// Evaluates component c at a point of the box, in lattice coordinates.
-  double Evaluate(const glm::dvec3& p, int c) const
-  {
-    return this->Doubles.empty() ? this->EvaluateIn(this->Floats[c], p)
-                                 : this->EvaluateIn(this->Doubles[c], p);
-  }
-
-private:
-  template <class R>
-  double EvaluateIn(const bravais::BCCBlock<R>& plane, const glm::dvec3& p) const
-  {
-    const R* origin = plane.GetRow(0, 0) - plane.Extent[0];
-    const auto fetch = [&](const glm::ivec3& j)
-    {
-      const int odd = j.z & 1;
-      return static_cast<double>(
-        origin[(j.x - odd) / 2 + plane.RowStride * ((j.y - odd) / 2) + plane.LayerStride * j.z]);
-    };
-    glm::dvec3 gradient;
-    return bravais::EvaluateBoxSpline(this->Kernel, fetch, p, gradient);
-  }
-
-  template <class T>
-  void Fill(const T* samples, const bravais::BCCExtent& held, int components);
-
-  std::vector<char> Memory;
-  std::vector<bravais::BCCBlock<float>> Floats;
-  std::vector<bravais::BCCBlock<double>> Doubles;
+  using BCCSplineVolume::BCCSplineVolume;
 };
-
-template <>
-std::vector<bravais::BCCBlock<float>>& vtkBCCInterpolator::Coefficients::GetPlanes<float>()
-{
-  return this->Floats;
-}
-
-template <>
-std::vector<bravais::BCCBlock<double>>& vtkBCCInterpolator::Coefficients::GetPlanes<double>()
-{
-  return this->Doubles;
-}
-
-//------------------------------------------------------------------------------
-template <class T>
-void vtkBCCInterpolator::Coefficients::Fill(
-  const T* samples, const bravais::BCCExtent& held, int components)
-{
-  using R = bravais::BCCCoefficient<T>;
-  bravais::BCCExtent padded = this->Whole;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    padded[2 * axis] -= bravais::BCCReachBelow[axis];
-    padded[2 * axis + 1] += bravais::BCCReachAbove[axis];
-  }
-  const bravais::BCCBlock<const T> block(samples, held, components);
-  bravais::BCCBlock<R> plane(nullptr, padded);
-  const std::size_t size = static_cast<std::size_t>(plane.LayerStride) *
-    static_cast<std::size_t>(padded[5] - padded[4] + 1);
-  this->Memory.resize(size * static_cast<std::size_t>(components) * sizeof(R));
-  auto& planes = this->GetPlanes<R>();
-  for (int c = 0; c < components; ++c)
-  {
-    plane.Data = reinterpret_cast<R*>(this->Memory.data()) + static_cast<std::size_t>(c) * size;
-    planes.push_back(plane);
-  }
-  const bool local = this->Prefilter == static_cast<int>(bravais::BCCPrefilter::QuasiInterpolation);
-  vtkSMPTools::For(padded[4], vtkIdType{ padded[5] } + 1, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        bravais::FillPaddedLayer(
-          this->Kernel, local, this->Whole, block, static_cast<int>(k), planes);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-void vtkBCCInterpolator::Coefficients::Compute(vtkImageData* image)
-{
-  vtkSmartPointer<vtkDataArray> source = this->Scalars;
-  if (bravais::NeedsWholeVolume(this->Prefilter))
-  {
-    const int type = bravais::GetBCCCoefficientType(source->GetDataType());
-    source.TakeReference(vtkDataArray::CreateDataArray(type));
-    source->SetNumberOfComponents(this->Scalars->GetNumberOfComponents());
-    source->SetNumberOfTuples(this->Scalars->GetNumberOfTuples());
-    bravais::ComputeBCCCoefficients(nullptr, image, this->Whole.data(),
-      static_cast<int>(this->Kernel), this->Prefilter, source, this->Whole.data(), 0.0, 1.0);
-  }
-  switch (source->GetDataType())
-  {
-    vtkTemplateMacro(this->Fill(static_cast<const VTK_TT*>(source->GetVoidPointer(0)), this->Whole,
-      source->GetNumberOfComponents()));
-  }
-}
 
 namespace
 {
@@ -250,26 +133,23 @@ bool vtkBCCInterpolator::Prepare()
     vtkErrorMacro(<< why);
     return false;
   }
-  const bravais::BCCExtent whole = bravais::ToBCCExtent(this->Extent);
-  const Coefficients* old = this->Cache.get();
-  if (old && old->Scalars == this->Scalars && old->Time == this->Scalars->GetMTime() &&
-    old->Whole == whole && static_cast<int>(old->Kernel) == this->Kernel &&
-    old->Prefilter == this->Prefilter)
+  vtkNew<vtkImageData> image;
+  image->SetExtent(this->Extent);
+  image->GetPointData()->SetScalars(this->Scalars);
+  const bravais::BCCKernel kernel = *bravais::ToBCCKernel(this->Kernel);
+  const bravais::BCCPrefilter prefilter = *bravais::ToBCCPrefilter(this->Prefilter);
+  if (this->Cache && this->Cache->IsOf(image, kernel, prefilter))
   {
     return true;
   }
   this->Cache.reset();
-  auto fresh = std::make_shared<Coefficients>();
-  fresh->Scalars = this->Scalars;
-  fresh->Time = this->Scalars->GetMTime();
-  fresh->Whole = whole;
-  fresh->Kernel = *bravais::ToBCCKernel(this->Kernel);
-  fresh->Prefilter = this->Prefilter;
-  vtkNew<vtkImageData> image;
-  image->SetExtent(this->Extent);
-  image->GetPointData()->SetScalars(this->Scalars);
-  fresh->Compute(image);
-  this->Cache = fresh;
+  if (!bravais::CheckMemory(bravais::BCCSplineVolume::GetPaddedExtent(this->Extent).data(),
+        bravais::BCCSplineVolume::GetBytesPerPoint(image), why))
+  {
+    vtkErrorMacro(<< why);
+    return false;
+  }
+  this->Cache = std::make_shared<Coefficients>(image, kernel, prefilter);
   return true;
 }
 
@@ -280,6 +160,7 @@ void vtkBCCInterpolator::InternalUpdate()
   if (info->Array != this->Scalars || info->Extent[5] != this->Extent[5])
   {
     vtkErrorMacro("This VTK hands interpolators another vtkInterpolationInfo than 9.1 and 9.2 do.");
+    info->ExtraInfo = nullptr;
     this->SetEmptyBounds();
     return;
   }
@@ -303,6 +184,13 @@ void vtkBCCInterpolator::InternalUpdate()
 }
 
 //------------------------------------------------------------------------------
+void vtkBCCInterpolator::DeepCopy(vtkAbstractImageInterpolator* other)
+{
+  this->Superclass::DeepCopy(other);
+  this->InternalDeepCopy(other);
+}
+
+//------------------------------------------------------------------------------
 void vtkBCCInterpolator::InternalDeepCopy(vtkAbstractImageInterpolator* other)
 {
   if (vtkBCCInterpolator* source = vtkBCCInterpolator::SafeDownCast(other))
@@ -319,6 +207,12 @@ template <class C, class F>
 void EvaluateAll(vtkInterpolationInfo* info, const F point[3], F* values)
 {
   const C* coefficients = static_cast<const C*>(info->ExtraInfo);
+  if (!coefficients)
+  {
+    // After an error all points are out of bounds, but need not be asked about that.
+    std::fill_n(values, info->NumberOfComponents, F(0));
+    return;
+  }
   const int* e = info->Extent;
   const glm::dvec3 p(
     MoveInside(2.0 * point[0], 2.0 * e[0], 2.0 * (e[1] - e[0]) + 1.0, info->BorderMode),
@@ -339,20 +233,14 @@ void EvaluateAll(vtkInterpolationInfo* info, const F point[3], F* values)
 void vtkBCCInterpolator::GetInterpolationFunc(
   void (**function)(vtkInterpolationInfo*, const double[3], double*))
 {
-  if (this->InterpolationInfo->ExtraInfo)
-  {
-    *function = &EvaluateAll<Coefficients, double>;
-  }
+  *function = &EvaluateAll<Coefficients, double>;
 }
 
 //------------------------------------------------------------------------------
 void vtkBCCInterpolator::GetInterpolationFunc(
   void (**function)(vtkInterpolationInfo*, const float[3], float*))
 {
-  if (this->InterpolationInfo->ExtraInfo)
-  {
-    *function = &EvaluateAll<Coefficients, float>;
-  }
+  *function = &EvaluateAll<Coefficients, float>;
 }
 
 //------------------------------------------------------------------------------

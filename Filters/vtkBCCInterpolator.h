@@ -20,9 +20,13 @@
  * times. That is the memory it takes. A volume without tag or with fewer than two layers, and
  * BCC7 or BCC12 with Interpolation, get one error, and every point is then out of bounds.
  *
+ * VTK's filters pass the field data of their input on, the tag too, though what they make by this
+ * interpolator is a Cartesian image: remove the array `Lattice` from it.
+ *
  * @code{.py}
+ * source = vtkBCCVolumeSource()
  * reslice = vtkImageReslice()
- * reslice.SetInputConnection(vtkBCCVolumeSource().GetOutputPort())
+ * reslice.SetInputConnection(source.GetOutputPort())
  * reslice.SetInterpolator(vtkBCCInterpolator())
  * @endcode
  *
@@ -71,6 +75,13 @@ public:
   void SetPrefilterToProjection() { this->SetPrefilter(3); }
   const char* GetPrefilterAsString();
   ///@}
+
+  /**
+   * Copies all settings of another interpolator, its volume and its coefficients, which the two
+   * then share. Call Update() before the copy is used. (VTK's own copies no more than the settings
+   * of vtkAbstractImageInterpolator.)
+   */
+  void DeepCopy(vtkAbstractImageInterpolator* other);
 
   /**
    * Takes the volume to sample.
