@@ -107,12 +107,14 @@ BCCExtent BCCGridSampler::GetPaddedExtent() const
 BCCExtent BCCGridSampler::GetInputExtent() const
 {
   BCCExtent needed = this->GetPaddedExtent();
+  // What lies beyond the box is the mirror image of what lies as far inside, which the other side
+  // of the stencil needs anyway; but for one layer, as they are read from 3 below to 4 above.
+  needed[4] = std::min(needed[4], 2 * this->Whole[5] - needed[5]);
+  const int margin = this->QuasiInterpolation ? 1 : 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    // One more for the quasi-interpolation. What lies beyond the box is the mirror image of what
-    // lies as far inside, which the other side of the stencil needs anyway.
-    needed[2 * axis] = std::max(needed[2 * axis] - 1, this->Whole[2 * axis]);
-    needed[2 * axis + 1] = std::min(needed[2 * axis + 1] + 1, this->Whole[2 * axis + 1]);
+    needed[2 * axis] = std::max(needed[2 * axis] - margin, this->Whole[2 * axis]);
+    needed[2 * axis + 1] = std::min(needed[2 * axis + 1] + margin, this->Whole[2 * axis + 1]);
   }
   return needed;
 }

@@ -35,13 +35,13 @@ public:
   /// in the middle), `piece` those to evaluate, not empty.
   BCCGridSampler(const BCCExtent& whole, const int dimensions[3], const BCCExtent& piece);
 
-  /// The samples that the piece needs.
-  BCCExtent GetInputExtent() const;
-
   void SetKernel(BCCKernel kernel) { this->Kernel = kernel; }
 
   /// Whether the source's samples are quasi-interpolated; else they are the coefficients.
   void SetQuasiInterpolation(bool on) { this->QuasiInterpolation = on; }
+
+  /// The samples that the piece needs.
+  BCCExtent GetInputExtent() const;
 
   /// What turns derivatives along the lattice coordinates into those that are put out.
   void SetGradientMatrix(int row, int column, double v) { this->GradientMatrix[row][column] = v; }

@@ -7,6 +7,7 @@
 #include "BCCCoefficients.h"
 #include "BCCKernel.h"
 #include "BCCPrefilter.h"
+#include "PieceRequest.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -19,6 +20,20 @@
 #include <algorithm>
 
 vtkStandardNewMacro(vtkBCCPrefilter);
+
+namespace
+{
+/// The samples that the coefficients for `extent` need.
+bravais::BCCExtent GetNeededExtent(
+  int method, const bravais::BCCExtent& whole, const bravais::BCCExtent& extent)
+{
+  if (bravais::NeedsWholeVolume(method))
+  {
+    return whole;
+  }
+  return method == vtkBCCPrefilter::None ? extent : bravais::GrowWithin(whole, extent);
+}
+}
 
 //------------------------------------------------------------------------------
 const char* vtkBCCPrefilter::GetMethodAsString()
@@ -45,21 +60,28 @@ int vtkBCCPrefilter::FillInputPortInformation(int vtkNotUsed(port), vtkInformati
 int vtkBCCPrefilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  vtkInformation* in = inputs[0]->GetInformationObject(0);
+  vtkInformation* out = outputs->GetInformationObject(0);
+  int whole[6] = { 0, -1, 0, -1, 0, -1 };
+  in->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   std::string why;
-  if (!bravais::CheckBCCSpline(this->Kernel, this->Method, why))
+  if (!bravais::CheckExtent(whole, 1, why) ||
+    !bravais::CheckBCCSpline(this->Kernel, this->Method, why))
   {
     vtkErrorMacro(<< why);
     vtkImageData::GetData(outputs)->Initialize();
     return 0;
   }
-  vtkInformation* out = outputs->GetInformationObject(0);
-  vtkInformation* scalars =
-    vtkDataObject::GetActiveFieldInformation(inputs[0]->GetInformationObject(0),
-      vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
+    in, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   if (scalars && scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
   {
     vtkDataObject::SetPointDataActiveScalarInfo(
       out, bravais::GetBCCCoefficientType(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE())), -1);
+  }
+  if (in->Has(vtkDataObject::DIRECTION())) // which VTK does not pass on, unlike ORIGIN and SPACING
+  {
+    out->CopyEntry(in, vtkDataObject::DIRECTION());
   }
   out->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   return 1;
@@ -71,19 +93,15 @@ int vtkBCCPrefilter::RequestUpdateExtent(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* in = inputs[0]->GetInformationObject(0);
-  bravais::BCCExtent whole;
+  bravais::BCCExtent whole = { 0, -1, 0, -1, 0, -1 };
   bravais::BCCExtent extent;
   in->Get(Pipeline::WHOLE_EXTENT(), whole.data());
-  outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), extent.data());
-  if (bravais::NeedsWholeVolume(this->Method))
+  bravais::GetPieceExtent(outputs->GetInformationObject(0), extent.data());
+  if (!bravais::IsEmpty(extent))
   {
-    extent = whole;
+    extent = GetNeededExtent(this->Method, whole, extent);
   }
-  else if (this->Method == QuasiInterpolation && !bravais::IsEmpty(extent))
-  {
-    extent = bravais::GrowWithin(whole, extent);
-  }
-  in->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
+  bravais::RequestExtent(in, extent.data());
   return 1;
 }
 
@@ -96,7 +114,7 @@ int vtkBCCPrefilter::RequestData(
   vtkInformation* out = outputs->GetInformationObject(0);
   vtkImageData* input = vtkImageData::GetData(in);
   vtkImageData* output = vtkImageData::GetData(out);
-  bravais::BCCExtent whole;
+  bravais::BCCExtent whole = { 0, -1, 0, -1, 0, -1 };
   bravais::BCCExtent extent;
   in->Get(Pipeline::WHOLE_EXTENT(), whole.data());
   out->Get(Pipeline::UPDATE_EXTENT(), extent.data());
@@ -118,22 +136,20 @@ int vtkBCCPrefilter::RequestData(
   vtkDataArray* scalars = input->GetPointData()->GetScalars();
   const int components = scalars->GetNumberOfComponents();
   const int type = bravais::GetBCCCoefficientType(scalars->GetDataType());
+  // A spectral method makes the whole volume, whatever was asked for.
+  const bravais::BCCExtent piece = extent;
+  if (bravais::NeedsWholeVolume(this->Method))
+  {
+    extent = whole;
+  }
   if (!bravais::CheckMemory(extent.data(), components * vtkDataArray::GetDataTypeSize(type), why))
   {
     return fail(why);
   }
-  const bool all = bravais::NeedsWholeVolume(this->Method);
-  const bravais::BCCExtent needed = all ? whole
-    : this->Method == None              ? extent
-                                        : bravais::GrowWithin(whole, extent);
-  if (!bravais::Contains(bravais::ToBCCExtent(input->GetExtent()), needed))
+  if (!bravais::Contains(
+        bravais::ToBCCExtent(input->GetExtent()), GetNeededExtent(this->Method, whole, extent)))
   {
     return fail("The input does not hold the extent that it was asked for.");
-  }
-  // A spectral method makes the whole volume, whatever was asked for.
-  if (all)
-  {
-    extent = whole;
   }
   output->SetExtent(extent.data());
   output->AllocateScalars(type, components);
@@ -143,6 +159,10 @@ int vtkBCCPrefilter::RequestData(
         coefficients, extent.data(), 0.0, 1.0))
   {
     output->Initialize();
+  }
+  else if (bravais::IsPiece(out))
+  {
+    output->Crop(piece.data()); // its number tells others what it is
   }
   return 1;
 }

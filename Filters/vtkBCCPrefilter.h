@@ -32,8 +32,9 @@
  * with Interpolation) gets one error and an empty output.
  *
  * @code{.py}
+ * source = vtkBCCVolumeSource()
  * prefilter = vtkBCCPrefilter()
- * prefilter.SetInputConnection(vtkBCCVolumeSource().GetOutputPort())
+ * prefilter.SetInputConnection(source.GetOutputPort())
  * prefilter.SetMethodToProjection()
  * @endcode
  *

@@ -7,6 +7,7 @@
 #include "BCCGridSampler.h"
 #include "BCCKernel.h"
 #include "BCCPrefilter.h"
+#include "PieceRequest.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -89,7 +90,7 @@ int vtkBCCVolumeToImage::RequestInformation(
 {
   vtkInformation* in = inputs[0]->GetInformationObject(0);
   vtkInformation* out = outputs->GetInformationObject(0);
-  int whole[6];
+  int whole[6] = { 0, -1, 0, -1, 0, -1 };
   double s[3] = { 1.0, 1.0, 1.0 };
   double origin[3] = { 0.0, 0.0, 0.0 };
   double direction[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
@@ -108,7 +109,8 @@ int vtkBCCVolumeToImage::RequestInformation(
   }
   Grid grid;
   std::string why;
-  if (!bravais::CheckExtent(whole, 1, why) || !grid.Set(whole, s, this->OutputDimensions, why) ||
+  if (!bravais::CheckExtent(whole, 1, why) || !bravais::CheckPlacement(origin, s, why) ||
+    !grid.Set(whole, s, this->OutputDimensions, why) ||
     !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why))
   {
     vtkErrorMacro(<< why);
@@ -134,7 +136,7 @@ int vtkBCCVolumeToImage::RequestInformation(
   out->Set(vtkDataObject::ORIGIN(), origin, 3);
   out->Set(vtkDataObject::DIRECTION(), direction, 9);
   out->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  if (this->OutputScalarType >= 0)
+  if (bravais::IsNumberType(this->OutputScalarType))
   {
     vtkDataObject::SetPointDataActiveScalarInfo(out, this->OutputScalarType, -1);
   }
@@ -147,21 +149,28 @@ int vtkBCCVolumeToImage::RequestUpdateExtent(
 {
   vtkInformation* in = inputs[0]->GetInformationObject(0);
   vtkInformation* out = outputs->GetInformationObject(0);
-  int whole[6];
+  int whole[6] = { 0, -1, 0, -1, 0, -1 };
   int outWhole[6];
   int extent[6];
   in->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   out->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), outWhole);
-  out->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  if (bravais::NeedsWholeVolume(this->Prefilter) || bravais::IsEmpty(bravais::ToBCCExtent(extent)))
+  bravais::GetPieceExtent(out, extent);
+  if (bravais::IsEmpty(bravais::ToBCCExtent(extent)))
   {
-    in->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+    bravais::RequestExtent(in, extent);
+    return 1;
+  }
+  if (bravais::NeedsWholeVolume(this->Prefilter))
+  {
+    bravais::RequestExtent(in, whole);
     return 1;
   }
   const int dimensions[3] = { outWhole[1] + 1, outWhole[3] + 1, outWhole[5] + 1 };
-  const bravais::BCCGridSampler sampler(
+  bravais::BCCGridSampler sampler(
     bravais::ToBCCExtent(whole), dimensions, bravais::ToBCCExtent(extent));
-  in->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), sampler.GetInputExtent().data(), 6);
+  sampler.SetQuasiInterpolation(
+    this->Prefilter == static_cast<int>(bravais::BCCPrefilter::QuasiInterpolation));
+  bravais::RequestExtent(in, sampler.GetInputExtent().data());
   return 1;
 }
 
@@ -173,12 +182,13 @@ int vtkBCCVolumeToImage::RequestData(
   vtkInformation* out = outputs->GetInformationObject(0);
   vtkImageData* input = vtkImageData::GetData(in);
   vtkImageData* output = vtkImageData::GetData(out);
-  int whole[6];
+  int whole[6] = { 0, -1, 0, -1, 0, -1 };
   int outWhole[6];
   int extent[6];
   in->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   out->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), outWhole);
   out->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  output->GetFieldData()->RemoveArray("Lattice"); // passed from the input, but not true of it
   const bravais::BCCExtent piece = bravais::ToBCCExtent(extent);
   if (bravais::IsEmpty(piece))
   {
@@ -197,14 +207,14 @@ int vtkBCCVolumeToImage::RequestData(
   }
   vtkDataArray* scalars = input->GetPointData()->GetScalars();
   const int components = scalars->GetNumberOfComponents();
-  const int type = this->OutputScalarType < 0 ? scalars->GetDataType() : this->OutputScalarType;
+  const int type = this->OutputScalarType == -1 ? scalars->GetDataType() : this->OutputScalarType;
   const int coefficientType = bravais::GetBCCCoefficientType(scalars->GetDataType());
-  const int size = vtkDataArray::GetDataTypeSize(type);
-  if (size < 1 || type == VTK_BIT)
+  if (!bravais::IsNumberType(type))
   {
     return fail("OutputScalarType is " + std::to_string(type) +
       "; a VTK number type from VTK_CHAR to VTK_DOUBLE, or -1, was expected.");
   }
+  const int size = vtkDataArray::GetDataTypeSize(type);
   const int coefficientSize = vtkDataArray::GetDataTypeSize(coefficientType);
   const int bytes = components * (size + (this->ComputeGradients ? 3 * coefficientSize : 0));
   if (!bravais::CheckMemory(extent, bytes, why))

@@ -29,8 +29,9 @@
  * output.
  *
  * @code{.py}
+ * source = vtkBCCVolumeSource()
  * image = vtkBCCVolumeToImage()
- * image.SetInputConnection(vtkBCCVolumeSource().GetOutputPort())
+ * image.SetInputConnection(source.GetOutputPort())
  * image.SetOutputDimensions(128, 128, 128)
  * @endcode
  *

@@ -54,6 +54,35 @@ double GetPhysicalMemory()
 } // namespace
 
 //------------------------------------------------------------------------------
+bool IsNumberType(int type)
+{
+  switch (type)
+  {
+    vtkTemplateMacro(return sizeof(VTK_TT) > 0);
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool CheckPlacement(const double origin[3], const double spacing[3], std::string& why)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(spacing[axis] > 0.0) || !std::isfinite(spacing[axis]))
+    {
+      why = "The input's spacing is " + Join(spacing) + "; it has to be positive and finite.";
+      return false;
+    }
+    if (!std::isfinite(origin[axis]))
+    {
+      why = "The input's origin is " + Join(origin) + "; it has to be finite.";
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool CheckBCCImage(vtkImageData* image, const int whole[6], std::string& why)
 {
   if (!image)
@@ -74,26 +103,21 @@ bool CheckBCCImage(vtkImageData* image, const int whole[6], std::string& why)
       "; a BCC volume needs at least 1 x 1 x 2.";
     return false;
   }
-  const double* spacing = image->GetSpacing();
-  const double* origin = image->GetOrigin();
-  for (int axis = 0; axis < 3; ++axis)
+  if (!CheckPlacement(image->GetOrigin(), image->GetSpacing(), why))
   {
-    if (!(spacing[axis] > 0.0) || !std::isfinite(spacing[axis]))
-    {
-      why = "The input's spacing is " + Join(spacing) + "; it has to be positive and finite.";
-      return false;
-    }
-    if (!std::isfinite(origin[axis]))
-    {
-      why = "The input's origin is " + Join(origin) + "; it has to be finite.";
-      return false;
-    }
+    return false;
   }
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars || scalars->GetNumberOfComponents() < 1 ||
     scalars->GetNumberOfTuples() < image->GetNumberOfPoints())
   {
     why = "The input has no point scalars, or fewer than points.";
+    return false;
+  }
+  if (!IsNumberType(scalars->GetDataType()))
+  {
+    why = std::string("The input's scalars are of type ") + scalars->GetDataTypeAsString() +
+      "; numbers of 8 to 64 bits were expected.";
     return false;
   }
   return true;

@@ -68,7 +68,9 @@ bool Compute(vtkAlgorithm* self, const BCCExtent& whole, BCCKernel kernel, BCCPr
     one.Extent[4] = one.Extent[5] = k;
     QuasiInterpolate(kernel, whole, samples, one);
   };
-  const bool spectral = NeedsWholeVolume(static_cast<int>(prefilter));
+  // A spline of BCC4 passes through its coefficients.
+  const bool spectral = NeedsWholeVolume(static_cast<int>(prefilter)) &&
+    !(kernel == BCCKernel::BCC4 && prefilter == BCCPrefilter::Interpolation);
   const double copied = spectral ? begin + 0.05 * (end - begin) : end;
   if (!ForEachLayer(self, extent[4], extent[5], layer, begin, copied) || !spectral)
   {

@@ -10,5 +10,6 @@ set(BRAVAIS_COMMON
 set(BRAVAIS_COMMON_PRIVATE
   BCCChecks
   BCCCoefficients
+  PieceRequest
   SliceLoop
 )
