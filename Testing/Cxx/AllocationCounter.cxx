@@ -41,16 +41,21 @@ void ResetAllocationPeak()
 #ifdef __SANITIZE_ADDRESS__
 
 // The sanitizer has a malloc of its own, which calls these two.
-#include <sanitizer/allocator_interface.h>
-
-extern "C" void __sanitizer_malloc_hook(const volatile void*, std::size_t size)
+// g++ has no header of them.
+extern "C"
 {
-  Add(size);
-}
+  std::size_t __sanitizer_get_allocated_size(const volatile void* pointer);
+  void __sanitizer_malloc_hook(const volatile void* pointer, std::size_t size);
+  void __sanitizer_free_hook(const volatile void* pointer);
 
-extern "C" void __sanitizer_free_hook(const volatile void* pointer)
-{
-  Allocated -= __sanitizer_get_allocated_size(pointer);
+  void __sanitizer_malloc_hook(const volatile void*, std::size_t size)
+  {
+    Add(size);
+  }
+  void __sanitizer_free_hook(const volatile void* pointer)
+  {
+    Allocated -= __sanitizer_get_allocated_size(pointer);
+  }
 }
 
 #else

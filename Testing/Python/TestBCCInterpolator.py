@@ -4,10 +4,10 @@ import math
 import unittest
 
 import numpy as np
-from vtkmodules.vtkCommonCore import VTK_DOUBLE
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkImagingCore import vtkImageReslice
+from vtkmodules.vtkImagingCore import vtkImageReslice, vtkImageResliceToColors
 
 import reference
 from bravais import vtkBCCInterpolator, vtkBCCVolumeSource, vtkBCCVolumeToImage
@@ -159,6 +159,29 @@ class TestBCCInterpolator(unittest.TestCase):
                 asked = np.array(source.asked[-1])
                 if angle == 0 and prefilter == 1:  # it was a part that was asked for
                     self.assertLess(np.prod(asked[1::2] - asked[::2] + 1), 40 * 14 * 15 / 2)
+
+    def test_reslice_to_colors(self):
+        source = PieceSource(make_volume(make_array(), spacing=(2, 2, 1)))
+        table = vtkLookupTable()
+        table.SetRange(-1, 1)
+        table.SetSaturationRange(0, 0)
+        table.SetValueRange(0, 1)
+        table.SetRampToLinear()
+        table.Build()
+        colors = vtkImageResliceToColors()
+        colors.SetInputConnection(source.GetOutputPort())
+        colors.SetInterpolator(make_interpolator(None, 8, 2))
+        colors.SetLookupTable(table)
+        colors.SetOutputFormatToLuminance()
+        colors.SetOutputExtent(0, 7, 0, 5, 0, 5)
+        colors.SetOutputSpacing(1, 1, 1)
+        colors.SetOutputOrigin(0, 0, 0)
+        colors.Update()
+        values = make_array()
+        for k in range(6):  # at the lattice points the samples themselves
+            odd = k & 1
+            np.testing.assert_allclose(
+                to_numpy(colors.GetOutput())[k, odd::2, odd::2], (values[k] + 1) / 2 * 255, atol=2)
 
     def test_reslice_follows_changes(self):
         source = vtkBCCVolumeSource()

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
+import math
 import unittest
 
 import numpy as np
@@ -38,6 +39,21 @@ class TestBCCVolumeToImagePipeline(unittest.TestCase):
         for dtype in np.float64, np.int16:
             source = PieceSource(make_volume(make_array((11, 8, 9, 3), dtype), start=(0, 0, 1)))
             check_pieces(self, make_filter(source, (14, 9, 23)), bcc=False)
+
+    def test_pieces_near_not_a_number(self):
+        array = make_array()
+        array[6, 3, 4] = array[0, 0, 0] = array[2, 7, 8] = math.nan
+        for start in (0, 0, 0), (0, 0, 1):
+            source = PieceSource(make_volume(array, start=start))
+            for kernel in 4, 7, 8, 12:
+                to_image = make_filter(source, (14, 9, 21), kernel)
+                to_image.Update()
+                whole = to_numpy(to_image.GetOutput()).copy()
+                for z in 0, 10, 11, 20:
+                    modify(to_image)
+                    to_image.UpdateExtent((0, 13, 0, 8, z, z))
+                    np.testing.assert_array_equal(
+                        to_numpy(to_image.GetOutput())[0], whole[z])
 
     def test_single_points(self):
         source = PieceSource(make_volume(make_array(), start=(1, 1, 1)))

@@ -168,7 +168,7 @@ def check_threads(test, algorithm):
     """One thread gives what two give, and all ways of threading that there are, bit for bit."""
     results = []
     default = vtkSMPTools.GetBackend()
-    for backend in "Sequential", "STDThread", "TBB", "OpenMP":
+    for backend in "Sequential", "STDThread", "TBB":  # those of VTK's packages
         if vtkSMPTools.SetBackend(backend):
             for threads in 1, 2:
                 vtkSMPTools.Initialize(threads)
