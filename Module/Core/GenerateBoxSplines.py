@@ -36,12 +36,12 @@ BOX_SPLINES = {
 }
 
 
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
 def determinant(a, b, c):
-    return (
-        a[0] * (b[1] * c[2] - b[2] * c[1])
-        - a[1] * (b[0] * c[2] - b[2] * c[0])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
-    )
+    return sum(u * v for u, v in zip(a, cross(b, c)))
 
 
 class Recurrence:
@@ -57,19 +57,24 @@ class Recurrence:
         self.directions = directions
         self.unit = unit
         self.values = {}
-        self.bases = {}
+        self.frames = {}
 
-    def basis(self, multiplicities):
-        if multiplicities not in self.bases:
+    def frame(self, multiplicities):
+        """The box of the support, and the linear forms 8 t' that the first basis has."""
+        if multiplicities not in self.frames:
+            steps = [[k * d[q] * self.unit for k, d in zip(multiplicities, self.directions)] for q in range(3)]
+            box = [(sum(min(v, 0) for v in s), sum(max(v, 0) for v in s)) for s in steps]
             used = [i for i, k in enumerate(multiplicities) if k]
             found = None
             for triple in itertools.combinations(used, 3):
-                volume = determinant(*(self.directions[i] for i in triple))
+                a, b, c = (self.directions[i] for i in triple)
+                volume = determinant(a, b, c)
                 if volume:
-                    found = (triple, volume, used)
+                    forms = [[v * 8 // volume for v in cross(*pair)] for pair in ((b, c), (c, a), (a, b))]
+                    found = (box, used, 8 // abs(volume), dict(zip(triple, forms)))
                     break
-            self.bases[multiplicities] = found
-        return self.bases[multiplicities]
+            self.frames[multiplicities] = found
+        return self.frames[multiplicities]
 
     def value(self, multiplicities, x):
         key = (multiplicities, x)
@@ -78,20 +83,16 @@ class Recurrence:
         return self.values[key]
 
     def compute(self, multiplicities, x):
-        found = self.basis(multiplicities)
-        if found is None:
+        frame = self.frame(multiplicities)
+        if frame is None:
             return 0
-        triple, volume, used = found
-        a, b, c = (self.directions[i] for i in triple)
-        factor = 8 // volume
-        t = {
-            triple[0]: determinant(x, b, c) * factor,
-            triple[1]: determinant(a, x, c) * factor,
-            triple[2]: determinant(a, b, x) * factor,
-        }
+        box, used, density, forms = frame
+        if not all(low < v < high for v, (low, high) in zip(x, box)):
+            return 0
+        t = {i: f[0] * x[0] + f[1] * x[1] + f[2] * x[2] for i, f in forms.items()}
         one = 8 * self.unit
         if sum(multiplicities) == 3:
-            return 8 // abs(volume) if all(0 <= v < one for v in t.values()) else 0
+            return density if all(0 <= v < one for v in t.values()) else 0
         total = 0
         for i in used:
             k = multiplicities[i]
