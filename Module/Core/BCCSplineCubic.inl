@@ -38,7 +38,9 @@ void SplitCubic(const LanesPosition<R>& p, int parity, Places<R>& first, Lanes<R
   }
   const auto reflected = hn::ShiftRight<SignBit>(hn::BitCast(di, p.Sign.Vector));
   first = hn::Add(hn::Sub(index, hn::Set(di, 1)), reflected);
-  t = half + Lanes<R>(hn::IfNegativeThenElse(p.Sign.Vector, hn::Set(d, R(1)), hn::Zero(d)));
+  // Not IfNegativeThenElse, which Highway 1.0.3 gets wrong for SSSE3.
+  const auto negative = hn::Lt(p.Sign.Vector, hn::Zero(d));
+  t = half + Lanes<R>(hn::IfThenElseZero(negative, hn::Set(d, R(1))));
 }
 
 template <bool Gradient, class R>

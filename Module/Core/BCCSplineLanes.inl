@@ -87,6 +87,13 @@ struct LanesPosition
     this->Sign = hn::Set(d, position.Sign);
     this->Offset = hn::Set(d, position.Offset);
   }
+
+  /// Moves the positions by an even number.
+  HWY_INLINE HWY_ATTR void Subtract(typename BCCPosition<R>::Integer number)
+  {
+    const hn::RebindToSigned<hn::ScalableTag<R>> di;
+    this->Even = hn::Sub(this->Even, hn::Set(di, number));
+  }
 };
 
 /// What a place of memory is worth, and how far apart rows and layers are.
@@ -279,7 +286,13 @@ template <bool Gradient, class R>
 void Points(BCCKernel kernel, const BCCBlock<const R>& coefficients, const BCCPositions<R>& x,
   const BCCPositions<R>& y, const BCCPositions<R>& z, const BCCResults<R>& results)
 {
-  const Memory<R> memory(coefficients);
+  // Places are counted from the block's first even layer: from index 0, however far away, they
+  // could have more bits than an Integer.
+  const BCCExtent& extent = coefficients.Extent;
+  const int firstLayer = extent[4] & ~1;
+  Memory<R> memory(coefficients);
+  memory.Origin +=
+    extent[0] + coefficients.RowStride * extent[2] + coefficients.LayerStride * firstLayer;
   LanesPosition<R> px;
   LanesPosition<R> py;
   LanesPosition<R> pz;
@@ -288,6 +301,9 @@ void Points(BCCKernel kernel, const BCCBlock<const R>& coefficients, const BCCPo
     px.Load(x, n);
     py.Load(y, n);
     pz.Load(z, n);
+    px.Subtract(2 * extent[0]);
+    py.Subtract(2 * extent[2]);
+    pz.Subtract(firstLayer);
     EvaluateAny<Gradient>(kernel, memory, px, py, pz).template Store<Gradient>(results, n);
   }
 }

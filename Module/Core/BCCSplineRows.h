@@ -29,7 +29,8 @@ inline constexpr glm::ivec3 BCCReachBelow(2, 2, 3);
 inline constexpr glm::ivec3 BCCReachAbove(2, 2, 4);
 
 /// A position along one axis, in lattice coordinates, split so that floats keep the fraction of
-/// large coordinates: p = Even + Sign * Offset, Even an even integer, 0 <= Offset <= 1.
+/// large coordinates: p = Even + Sign * Offset, Even an even Integer, which p must fit, and
+/// 0 <= Offset <= 1.
 template <class R>
 struct BCCPosition
 {
@@ -89,7 +90,7 @@ void EvaluateBCCRow(BCCKernel kernel, const BCCBlock<const R>& coefficients,
   const BCCPositions<R>& x, const BCCPosition<R>& y, const BCCPosition<R>& z,
   const BCCResults<R>& results);
 
-/// Evaluates at the points (x[n], y[n], z[n]).
+/// Evaluates at the points (x[n], y[n], z[n]). Of float, the block holds fewer than 2^31 values.
 template <class R>
 void EvaluateBCCPoints(BCCKernel kernel, const BCCBlock<const R>& coefficients,
   const BCCPositions<R>& x, const BCCPositions<R>& y, const BCCPositions<R>& z,
