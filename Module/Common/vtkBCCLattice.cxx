@@ -3,6 +3,7 @@
 #include "vtkBCCLattice.h"
 
 #include "BCCLattice.h"
+#include "BoxSpline.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkFieldData.h"
@@ -11,6 +12,8 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
+
+#include <cmath>
 
 vtkStandardNewMacro(vtkBCCLattice);
 
@@ -84,6 +87,27 @@ void vtkBCCLattice::GetBox(vtkImageData* image, double bounds[6])
   {
     vtkMath::UninitializeBounds(bounds);
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkBCCLattice::Evaluate(int kernel, double x, double y, double z)
+{
+  const auto known = bravais::ToBCCKernel(kernel);
+  if (!known)
+  {
+    vtkErrorWithObjectMacro(nullptr,
+      "vtkBCCLattice::Evaluate expects the kernel BCC4, BCC7, BCC8 or BCC12, not " << kernel
+                                                                                   << '.');
+    return 0.0;
+  }
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+  {
+    vtkErrorWithObjectMacro(nullptr,
+      "vtkBCCLattice::Evaluate expects finite coordinates, not (" << x << ", " << y << ", " << z
+                                                                  << ").");
+    return 0.0;
+  }
+  return bravais::EvaluateKernel(*known, { x, y, z });
 }
 
 //------------------------------------------------------------------------------

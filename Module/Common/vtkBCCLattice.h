@@ -76,6 +76,13 @@ public:
    */
   static void GetBox(vtkImageData* image, double bounds[6]);
 
+  /**
+   * The kernel (BCC4, BCC7, BCC8 or BCC12) centred at 0, at a point in lattice coordinates, scaled
+   * so that its shifts to all lattice points sum to 1: an even function, zero from 4 on along any
+   * axis. A kernel that there is not, or a coordinate that is not finite, is an error, and gives 0.
+   */
+  static double Evaluate(int kernel, double x, double y, double z);
+
 protected:
   vtkBCCLattice() = default;
   ~vtkBCCLattice() override = default;

@@ -1,11 +1,28 @@
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
+import contextlib
+import itertools
+import math
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from bravais import vtkBCCLattice
+
+
+@contextlib.contextmanager
+def observed_errors():
+    """Collects what VTK reports, so that it does not fail the test."""
+    window = vtkStringOutputWindow()
+    former = vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        yield window
+    finally:
+        vtkOutputWindow.SetInstance(former)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_INFO)
 
 
 def make_volume():
@@ -52,22 +69,48 @@ class TestBCCLattice(unittest.TestCase):
         self.assertEqual(box, [1, -1, 1, -1, 1, -1])
 
     def test_no_image_is_an_error_that_changes_nothing(self):
-        window = vtkStringOutputWindow()
-        former = vtkOutputWindow.GetInstance()
-        vtkOutputWindow.SetInstance(window)
-        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-        try:
-            box = [7.0] * 6
+        box = [7.0] * 6
+        x = [7.0] * 3
+        with observed_errors() as window:
             vtkBCCLattice.GetBox(None, box)
-            x = [7.0] * 3
             vtkBCCLattice.GetPoint(None, (0, 0, 0), x)
             vtkBCCLattice.Tag(None)
-        finally:
-            vtkOutputWindow.SetInstance(former)
-            vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_INFO)
         self.assertEqual((box, x), ([7.0] * 6, [7.0] * 3))
         for helper in "GetBox", "GetPoint", "Tag":
             self.assertIn(f"vtkBCCLattice::{helper} expects an image", window.GetOutput())
+
+    def test_kernels_have_their_values_on_the_lattice(self):
+        # bcc4 is a hat; bcc12 is half of three cubic B-splines, which are 2/3 at 0.
+        self.assertEqual(vtkBCCLattice.Evaluate(4, 0, 0, 0), 1)
+        self.assertEqual(vtkBCCLattice.Evaluate(4, 1, 1, 1), 0)
+        self.assertAlmostEqual(vtkBCCLattice.Evaluate(12, 0, 0, 0), 4 / 27, delta=1e-15)
+        self.assertAlmostEqual(vtkBCCLattice.Evaluate(12, 2, 0, 0), 1 / 27, delta=1e-15)
+
+    def test_kernels_sum_to_one(self):
+        points = [
+            p for p in itertools.product(range(-4, 5), repeat=3)
+            if p[0] % 2 == p[1] % 2 == p[2] % 2]
+        for kernel in 4, 7, 8, 12:
+            total = sum(
+                vtkBCCLattice.Evaluate(kernel, 0.3 - p[0], 0.8 - p[1], -0.1 - p[2])
+                for p in points)
+            self.assertAlmostEqual(total, 1, delta=1e-14)
+
+    def test_kernels_vanish_far_away(self):
+        self.assertEqual(vtkBCCLattice.Evaluate(8, 1e300, 0, 0), 0)
+
+    def test_unknown_kernel_is_an_error(self):
+        for kernel in 0, 5, -7:
+            with observed_errors() as window:
+                self.assertEqual(vtkBCCLattice.Evaluate(kernel, 0, 0, 0), 0)
+            self.assertIn(f"BCC4, BCC7, BCC8 or BCC12, not {kernel}.", window.GetOutput())
+
+    def test_point_that_is_not_finite_is_an_error(self):
+        for value in math.nan, math.inf, -math.inf:
+            for point in (value, 0, 0), (0, value, 0), (0, 0, value):
+                with observed_errors() as window:
+                    self.assertEqual(vtkBCCLattice.Evaluate(7, *point), 0)
+                self.assertIn("expects finite coordinates, not (", window.GetOutput())
 
 
 if __name__ == "__main__":
