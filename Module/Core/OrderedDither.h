@@ -75,7 +75,7 @@ private:
   OrderedDither Dither;
   std::int64_t Values;                  // of a row
   std::vector<std::int32_t> Ranks;      // of a run of values, which can be repeated
-  std::vector<std::int32_t> CountTable; // of all numbers of a small type
+  std::vector<std::int32_t> CountTable; // of all numbers of a small type, as if unsigned
 };
 
 //------------------------------------------------------------------------------
@@ -95,10 +95,10 @@ OrderedDitherRows<T>::OrderedDitherRows(
   }
   if constexpr (HasTable)
   {
-    using Limits = std::numeric_limits<T>;
-    for (int value = Limits::lowest(); value <= Limits::max(); ++value)
+    using Index = std::make_unsigned_t<T>;
+    for (int index = 0; index <= std::numeric_limits<Index>::max(); ++index)
     {
-      this->CountTable.push_back(dither.GetCount(value));
+      this->CountTable.push_back(dither.GetCount(static_cast<T>(index)));
     }
   }
 }
@@ -109,7 +109,7 @@ std::int32_t OrderedDitherRows<T>::GetCount(T value) const
 {
   if constexpr (HasTable)
   {
-    return this->CountTable[static_cast<std::size_t>(value - std::numeric_limits<T>::lowest())];
+    return this->CountTable[static_cast<std::make_unsigned_t<T>>(value)];
   }
   else
   {

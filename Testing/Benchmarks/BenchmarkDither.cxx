@@ -39,9 +39,9 @@ vtkSmartPointer<vtkImageData> MakeImage(int n, int type)
   return image;
 }
 
-void AddFilter(
-  const std::string& name, vtkSmartPointer<vtkImageAlgorithm> filter, vtkImageData* image)
+void AddFilter(const std::string& name, vtkImageAlgorithm* algorithm, vtkImageData* image)
 {
+  const vtkSmartPointer<vtkImageAlgorithm> filter = algorithm;
   filter->SetInputData(image);
   bravais::AddBenchmark(name, static_cast<double>(image->GetNumberOfPoints()),
     [=]
