@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <sstream>
+#include <type_traits>
 
 namespace bravais
 {
@@ -58,7 +59,7 @@ bool IsNumberType(int type)
 {
   switch (type)
   {
-    vtkTemplateMacro(return sizeof(VTK_TT) > 0);
+    vtkTemplateMacro(return std::is_arithmetic_v<VTK_TT>);
   }
   return false;
 }
