@@ -19,8 +19,9 @@ namespace bravais
 
 namespace
 {
-// Of the widest vectors there are, 2048 bits. (HWY_MAX_BYTES is that of the compiler's own target.)
-constexpr std::size_t MaximumLanes = 2048 / 8 / sizeof(float);
+// Two of the widest vectors there are, 2048 bits. (HWY_MAX_BYTES is that of the compiler's own
+// target.)
+constexpr std::size_t MaximumLanes = 2 * 2048 / 8 / sizeof(float);
 }
 
 HWY_EXPORT(RowFloat);
