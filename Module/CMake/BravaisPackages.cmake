@@ -14,6 +14,11 @@ if (BRAVAIS_BUILD_TESTING)
   find_package(GTest REQUIRED)
   find_package(benchmark REQUIRED)
 endif ()
+if (BRAVAIS_BUILD_EXAMPLES)
+  list(APPEND bravais_vtk_modules IOImage IOLegacy IOXML ImagingMorphological
+    InteractionStyle RenderingFreeType)
+  find_package(CLI11 REQUIRED) # command lines
+endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${bravais_vtk_modules})
 
 if (BRAVAIS_WRAP_PYTHON)
