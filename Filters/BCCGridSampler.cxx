@@ -229,7 +229,8 @@ bool BCCGridSampler::Execute(vtkAlgorithm* self, vtkDataArray* source, const BCC
   const std::size_t width = static_cast<std::size_t>(this->Piece[1] - this->Piece[0] + 1);
   const auto bytes = [](vtkDataArray* array)
   { return array ? static_cast<double>(array->GetDataSize()) * array->GetDataTypeSize() : 0.0; };
-  const double tenth = 0.1 * (bytes(source) + bytes(values) + bytes(gradients));
+  // Less than a tenth: rows of results, and layers between samples and planes, come on top.
+  const double room = 0.09 * (bytes(source) + bytes(values) + bytes(gradients));
   bool done = false;
   const auto run = [&](auto sample)
   {
@@ -245,7 +246,7 @@ bool BCCGridSampler::Execute(vtkAlgorithm* self, vtkDataArray* source, const BCC
       vtkTemplateMacro(
         store = MakeStore<R>(static_cast<VTK_TT*>(values->GetVoidPointer(0)), width, components));
     }
-    BCCCoefficientWindow<R> window(this->GetPaddedExtent(), components, tenth);
+    BCCCoefficientWindow<R> window(this->GetPaddedExtent(), components, room);
     done = store && this->Run<R>(self, window, fill, store, gradients, begin);
   };
   switch (source->GetDataType())
