@@ -7,6 +7,7 @@
 #include "BCCResample.h"
 #include "BCCSubset.h"
 #include "LayerSampler.h"
+#include "PieceRequest.h"
 #include "vtkBCCLattice.h"
 
 #include "vtkDataArray.h"
@@ -202,8 +203,7 @@ int vtkImageToBCCVolume::RequestUpdateExtent(vtkInformation* vtkNotUsed(request)
 {
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
   int extent[6];
-  outputVector->GetInformationObject(0)->Get(
-    vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  bravais::GetPieceExtent(outputVector->GetInformationObject(0), extent);
   if (!IsEmpty(extent)) // nothing is made of nothing
   {
     bravais::ImageGrid grid;
@@ -215,7 +215,7 @@ int vtkImageToBCCVolume::RequestUpdateExtent(vtkInformation* vtkNotUsed(request)
     }
     this->GetInputExtent(grid, placement, extent, extent);
   }
-  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  bravais::RequestExtent(inInfo, extent);
   return 1;
 }
 

@@ -8,7 +8,8 @@ from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageDataStreamer, vtkIm
 
 from bravais import vtkBCCPrefilter, vtkBCCVolumeSource, vtkBCCVolumeToImage
 from checks import (
-    PieceSource, check_pieces, check_progress, check_threads, make_volume, modify, to_numpy)
+    PieceSource, check_numbered_pieces, check_pieces, check_progress, check_threads, make_volume,
+    modify, to_numpy)
 
 METHODS = [(7, 1), (12, 0), (4, 1), (8, 2), (7, 3)]
 
@@ -134,38 +135,20 @@ class TestBCCVolumeToImagePipeline(unittest.TestCase):
             streamer.Update()
             self.assertEqual(to_numpy(streamer.GetOutput()).tobytes(), whole.tobytes())
 
-    def check_numbered_pieces(self, algorithm, count):
-        modify(algorithm)
-        algorithm.Update()
-        whole = to_numpy(algorithm.GetOutput()).copy()
-        start = algorithm.GetOutput().GetExtent()[::2]
-        covered = np.zeros(whole.shape[:3], bool)
-        for piece in range(count):
-            modify(algorithm)
-            self.assertTrue(algorithm.UpdatePiece(piece, count, 0))
-            output = algorithm.GetOutput()
-            self.assertLess(output.GetNumberOfPoints(), covered.size)
-            if output.GetNumberOfPoints():
-                x, y, z = np.array(output.GetExtent()).reshape(3, 2) - np.array(start)[:, None]
-                part = np.s_[z[0]:z[1] + 1, y[0]:y[1] + 1, x[0]:x[1] + 1]
-                np.testing.assert_array_equal(to_numpy(output), whole[part])
-                covered[part] = True
-        self.assertTrue(covered.all())
-
     def test_numbered_pieces(self):
         source = PieceSource(make_volume(make_array(), start=(1, 2, 3)))
         for kernel, prefilter in METHODS:
             for dimensions, count in ((14, 9, 23), 5), ((3, 3, 3), 40):
                 to_image = make_filter(source, dimensions, kernel, prefilter)
-                self.check_numbered_pieces(to_image, count)
+                check_numbered_pieces(self, to_image, count)
             coefficients = vtkBCCPrefilter()
             coefficients.SetInputConnection(source.GetOutputPort())
             coefficients.SetKernel(kernel)
             coefficients.SetMethod(prefilter)
-            self.check_numbered_pieces(coefficients, 7)
+            check_numbered_pieces(self, coefficients, 7)
             to_image = make_filter(coefficients, (14, 9, 23), kernel, 0)
-            self.check_numbered_pieces(to_image, 6)
-        self.check_numbered_pieces(make_filter(vtkBCCVolumeSource(), (9, 9, 9)), 3)
+            check_numbered_pieces(self, to_image, 6)
+        check_numbered_pieces(self, make_filter(vtkBCCVolumeSource(), (9, 9, 9)), 3)
 
     def test_threads(self):
         for kernel, prefilter in METHODS:

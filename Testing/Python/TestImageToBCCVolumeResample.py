@@ -8,7 +8,9 @@ from vtkmodules.vtkImagingCore import (
     vtkImageSincInterpolator, vtkImageTranslateExtent)
 
 from bravais import vtkBCCLattice, vtkImageToBCCVolume
-from checks import check_pieces, check_progress, check_threads, get_points, make_image, to_numpy
+from checks import (
+    check_numbered_pieces, check_pieces, check_progress, check_threads, get_points, make_image,
+    to_numpy)
 
 TYPES = "int8 uint8 int16 uint16 int32 uint32 int64 uint64 float32 float64".split()
 
@@ -218,6 +220,7 @@ class TestImageToBCCVolumeResample(unittest.TestCase):
                 resample = make_filter(image, interpolator, ratio)
                 resample.SetLowPass(low_pass)
                 check_pieces(self, resample)
+                check_numbered_pieces(self, resample, 4)
                 check_threads(self, resample)
         check_progress(self, make_filter(image))
         check_progress(self, make_filter(image, None, 0.2))

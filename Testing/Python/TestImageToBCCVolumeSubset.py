@@ -9,7 +9,9 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkImagingCore import vtkImageDataStreamer, vtkImageTranslateExtent
 
 from bravais import vtkBCCLattice, vtkImageToBCCVolume
-from checks import check_pieces, check_progress, check_threads, get_points, make_image, to_numpy
+from checks import (
+    check_numbered_pieces, check_pieces, check_progress, check_threads, get_points, make_image,
+    to_numpy)
 
 DTYPES = "int8 uint8 int16 uint16 int32 uint32 int64 uint64 float32 float64".split()
 
@@ -105,6 +107,7 @@ class TestImageToBCCVolumeSubset(unittest.TestCase):
                              [1, 0, 0])
             self.check_world(image, output)
             check_pieces(self, subset)
+            check_numbered_pieces(self, subset, 5)
 
     def test_all_point_arrays_and_field_data(self):
         array = make_random((4, 5, 6), "int16")

@@ -164,6 +164,26 @@ def check_pieces(test, algorithm, bcc=True):
             test.assertEqual(to_numpy(output, name).tobytes(), part.tobytes(), (name, piece))
 
 
+def check_numbered_pieces(test, algorithm, count):
+    """Pieces by number, as MPI ranks ask for them, are parts of the whole and cover it."""
+    modify(algorithm)
+    algorithm.Update()
+    whole = to_numpy(algorithm.GetOutput()).copy()
+    start = algorithm.GetOutput().GetExtent()[::2]
+    covered = np.zeros(whole.shape[:3], bool)
+    for piece in range(count):
+        modify(algorithm)
+        test.assertTrue(algorithm.UpdatePiece(piece, count, 0))
+        output = algorithm.GetOutput()
+        test.assertLess(output.GetNumberOfPoints(), covered.size)
+        if output.GetNumberOfPoints():
+            x, y, z = np.array(output.GetExtent()).reshape(3, 2) - np.array(start)[:, None]
+            part = np.s_[z[0]:z[1] + 1, y[0]:y[1] + 1, x[0]:x[1] + 1]
+            np.testing.assert_array_equal(to_numpy(output), whole[part])
+            covered[part] = True
+    test.assertTrue(covered.all())
+
+
 def check_threads(test, algorithm):
     """One thread gives what two give, and all ways of threading that there are, bit for bit."""
     results = []
