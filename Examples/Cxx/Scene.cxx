@@ -140,7 +140,11 @@ void Scene::SetLabel(const std::string& text)
 
 double Scene::Time()
 {
+  const int width = this->Window->GetSize()[0];
+  const int height = this->Window->GetSize()[1];
+  this->Window->SetSize(std::max(1, width / 16), std::max(1, height / 16));
   this->Window->Render();
+  this->Window->SetSize(width, height);
   this->Window->WaitForCompletion();
   const auto begin = std::chrono::steady_clock::now();
   this->Window->Render();

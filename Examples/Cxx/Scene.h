@@ -46,7 +46,7 @@ public:
   /// A line at the foot of the picture.
   void SetLabel(const std::string& text);
 
-  /// Draws, once to make everything ready and once more; seconds that the latter took.
+  /// Draws, once in small to make everything ready and once more; seconds that the latter took.
   double Time();
 
   /// The picture as it is seen. Null after an error.
