@@ -31,7 +31,8 @@
  * 0.
  *
  * @code{.py}
- * source = vtkBCCVolumeSource(dimensions=(39, 39, 78))
+ * source = vtkBCCVolumeSource()
+ * source.SetDimensions(39, 39, 78)
  * source.Update()
  * volume = source.GetOutput()
  * @endcode

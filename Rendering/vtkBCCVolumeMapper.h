@@ -21,9 +21,11 @@
  * the kernel interpolates.
  *
  * @code{.py}
- * mapper = vtkBCCVolumeMapper(Kernel=vtkBCCLattice.BCC7)
+ * mapper = vtkBCCVolumeMapper()
+ * mapper.SetKernelToBCC7()
  * mapper.SetInputConnection(source.GetOutputPort())
- * volume = vtkVolume(mapper=mapper, property=transferFunctions)
+ * volume = vtkVolume()
+ * volume.SetMapper(mapper)
  * @endcode
  *
  * An input that is not a tagged image, is empty or has fewer than two layers, has no point scalars,
