@@ -13,6 +13,7 @@ endforeach ()
 target_include_directories(BravaisCore
   PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/Module/Core"
   PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+target_include_directories(BravaisCore SYSTEM PRIVATE "${KISSFFT_INCLUDE_DIR}")
 target_link_libraries(BravaisCore PUBLIC glm::glm PRIVATE hwy::hwy BravaisWarnings)
 
 # vtk_module_build() adds each module's source folder as a build folder of the same relative path.

@@ -32,3 +32,5 @@ endif ()
 
 find_package(glm REQUIRED)     # vectors, in C++ as in GLSL
 find_package(hwy REQUIRED)     # SIMD with dispatch at run time
+find_path(KISSFFT_INCLUDE_DIR kissfft/kissfft.hh REQUIRED # the spectra of Bayer patterns
+  DOC "The folder that holds kissfft/kissfft.hh")
