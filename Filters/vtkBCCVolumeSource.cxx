@@ -3,7 +3,7 @@
 #include "vtkBCCVolumeSource.h"
 
 #include "AnalyticSignals.h"
-#include "BCCChecks.h"
+#include "ImageChecks.h"
 #include "BCCLattice.h"
 #include "SliceLoop.h"
 #include "vtkBCCLattice.h"

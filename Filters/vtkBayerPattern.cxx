@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBayerPattern.h"
 
-#include "BCCChecks.h"
+#include "ImageChecks.h"
 #include "BayerMeasures.h"
 #include "BayerPattern.h"
 

@@ -14,7 +14,8 @@ target_include_directories(BravaisCore
   PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/Module/Core"
   PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
 target_include_directories(BravaisCore SYSTEM PRIVATE "${KISSFFT_INCLUDE_DIR}")
-target_link_libraries(BravaisCore PUBLIC glm::glm PRIVATE hwy::hwy BravaisWarnings)
+target_link_libraries(BravaisCore PUBLIC glm::glm
+  PRIVATE hwy::hwy Eigen3::Eigen roaring::roaring BravaisWarnings)
 
 # vtk_module_build() adds each module's source folder as a build folder of the same relative path.
 # For a module at the root that is the build folder itself, so it is moved aside for this one call.

@@ -41,4 +41,4 @@ foreach (folder IN ITEMS Module/Core Module/Common Filters Rendering)
 endforeach ()
 vtk_module_link(Bravais::Bravais
   PUBLIC glm::glm
-  PRIVATE BravaisCore BravaisWarnings)
+  PRIVATE BravaisCore OpenImageIO::OpenImageIO roaring::roaring BravaisWarnings)

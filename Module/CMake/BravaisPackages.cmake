@@ -6,17 +6,18 @@
 
 set(bravais_vtk_modules
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  ImagingCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 glew opengl
-  vtksys)
+  FiltersCore IOImage IOXML ImagingCore RenderingCore RenderingOpenGL2 RenderingVolume
+  RenderingVolumeOpenGL2 glew opengl vtksys)
 if (BRAVAIS_BUILD_TESTING)
-  list(APPEND bravais_vtk_modules CommonMisc IOImage IOXML ImagingSources InteractionStyle
-    RenderingFreeType TestingCore TestingRendering)
+  list(APPEND bravais_vtk_modules CommonMisc FiltersExtraction FiltersGeneral FiltersSources
+    ImagingSources InteractionStyle RenderingFreeType TestingCore TestingRendering)
   find_package(GTest REQUIRED)
   find_package(benchmark REQUIRED)
 endif ()
 if (BRAVAIS_BUILD_EXAMPLES)
-  list(APPEND bravais_vtk_modules IOImage IOLegacy IOXML ImagingMorphological
-    InteractionStyle RenderingFreeType)
+  list(APPEND bravais_vtk_modules ChartsCore FiltersGeneral FiltersSources IOGeometry IOLegacy
+    ImagingMorphological InteractionStyle RenderingContext2D RenderingContextOpenGL2
+    RenderingFreeType ViewsContext2D)
   find_package(CLI11 REQUIRED) # command lines
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${bravais_vtk_modules})
@@ -32,5 +33,14 @@ endif ()
 
 find_package(glm REQUIRED)     # vectors, in C++ as in GLSL
 find_package(hwy REQUIRED)     # SIMD with dispatch at run time
+find_package(Eigen3 REQUIRED)  # linear solves
+find_package(roaring REQUIRED) # compressed bitmaps
+find_package(OpenImageIO REQUIRED) # image files, and tiles of textures larger than memory
+# Debian's package names OpenCV's headers, which it neither has nor needs.
+get_target_property(bravais_oiio_include OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+list(FILTER bravais_oiio_include EXCLUDE REGEX "opencv")
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES "${bravais_oiio_include}"
+  INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${bravais_oiio_include}")
 find_path(KISSFFT_INCLUDE_DIR kissfft/kissfft.hh REQUIRED # the spectra of Bayer patterns
   DOC "The folder that holds kissfft/kissfft.hh")

@@ -10,6 +10,8 @@ set(BRAVAIS_COMMON
 set(BRAVAIS_COMMON_PRIVATE
   BCCChecks
   BCCCoefficients
+  ImageChecks
+  LatticeTag
   PieceRequest
   SliceLoop
 )

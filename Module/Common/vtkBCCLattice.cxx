@@ -4,14 +4,12 @@
 
 #include "BCCLattice.h"
 #include "BoxSpline.h"
+#include "LatticeTag.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkStringArray.h"
 
 #include <cmath>
 
@@ -36,20 +34,13 @@ void vtkBCCLattice::Tag(vtkImageData* image)
   {
     return;
   }
-  vtkNew<vtkStringArray> tag;
-  tag->SetName("Lattice");
-  tag->InsertNextValue("BCC");
-  image->GetFieldData()->AddArray(tag);
+  bravais::TagLattice(image, bravais::BCCTag);
 }
 
 //------------------------------------------------------------------------------
 bool vtkBCCLattice::IsBCC(vtkDataObject* data)
 {
-  auto* image = vtkImageData::SafeDownCast(data);
-  auto* tag = image
-    ? vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("Lattice"))
-    : nullptr;
-  return tag && tag->GetNumberOfValues() == 1 && tag->GetValue(0) == "BCC";
+  return bravais::HasLatticeTag(data, bravais::BCCTag);
 }
 
 //------------------------------------------------------------------------------
