@@ -28,6 +28,7 @@ set(BRAVAIS_CORE
 set(BRAVAIS_CORE_HEADERS
   BoxSpline
   FindRoot
+  Rank1Level
   RoundTo
 )
 
