@@ -40,9 +40,11 @@ if (BRAVAIS_WRAP_PYTHON)
     LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Bravais"
     BUILD_STATIC OFF)
-  configure_file(Module/Python/__init__.py
-    "${CMAKE_BINARY_DIR}/${BRAVAIS_PYTHON_DIR}/bravais/__init__.py" COPYONLY)
-  install(FILES Module/Python/__init__.py DESTINATION "${BRAVAIS_PYTHON_DIR}/bravais")
+  foreach (file IN ITEMS __init__ arrays)
+    configure_file("Module/Python/${file}.py"
+      "${CMAKE_BINARY_DIR}/${BRAVAIS_PYTHON_DIR}/bravais/${file}.py" COPYONLY)
+    install(FILES "Module/Python/${file}.py" DESTINATION "${BRAVAIS_PYTHON_DIR}/bravais")
+  endforeach ()
 endif ()
 
 include(CMakePackageConfigHelpers)
