@@ -4,6 +4,7 @@ import sys
 
 import bravais
 from bravais import vtkBCCLattice
+import numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 assert bravais.__file__.startswith(sys.argv[1]), bravais.__file__
@@ -11,3 +12,5 @@ image = vtkImageData()
 image.SetDimensions(39, 39, 78)
 vtkBCCLattice.Tag(image)
 assert vtkBCCLattice.IsBCC(image)
+values = numpy.arange(24.0).reshape(4, 3, 2)
+assert (bravais.bcc_to_numpy(bravais.bcc_from_numpy(values)) == values).all()
