@@ -14,7 +14,7 @@ class TestReadme(unittest.TestCase):
     def test_python(self):
         with open(README, encoding="utf-8") as file:
             blocks = re.findall(r"^```python\n(.*?)^```", file.read(), re.M | re.S)
-        self.assertEqual(len(blocks), 1)
+        self.assertEqual(len(blocks), 2)
         names = {}
         exec(blocks[0], names)
         grabber = vtkWindowToImageFilter()
@@ -25,6 +25,12 @@ class TestReadme(unittest.TestCase):
         shown = numpy.abs(pixels - pixels[0]).max(1) > 12
         self.assertGreater(shown.mean(), 0.1)
         self.assertGreater(pixels[shown].std(), 5)
+
+        exec(blocks[1], names)
+        # x, y, z = 0.5, 0.5, 0.5 is the first point of the first odd layer.
+        self.assertEqual(names["volume"].GetScalarComponentAsDouble(0, 0, 1, 0), 0.0)
+        self.assertEqual(names["volume"].GetScalarComponentAsDouble(1, 0, 2, 0), 0.0)
+        self.assertEqual(names["volume"].GetScalarComponentAsDouble(2, 1, 0, 0), 5.0)
 
 
 if __name__ == "__main__":
