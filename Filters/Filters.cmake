@@ -7,6 +7,7 @@ set(BRAVAIS_FILTERS
   vtkBCCPrefilter
   vtkBCCVolumeSource
   vtkBCCVolumeToImage
+  vtkGeometryImageSource
   vtkImageToBCCVolume
   vtkBayerPattern
   vtkOrderedDither

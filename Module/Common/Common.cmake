@@ -10,6 +10,7 @@ set(BRAVAIS_COMMON
 set(BRAVAIS_COMMON_PRIVATE
   BCCChecks
   BCCCoefficients
+  GeometryImage
   ImageChecks
   LatticeTag
   PieceRequest

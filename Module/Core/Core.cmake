@@ -22,6 +22,7 @@ set(BRAVAIS_CORE
   ChirpTransform
   MirrorTransform
   OrderedDither
+  ParametricSurface
 )
 
 # Those that are a header only, one <Name>.h a line.
