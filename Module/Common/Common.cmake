@@ -14,5 +14,6 @@ set(BRAVAIS_COMMON_PRIVATE
   ImageChecks
   LatticeTag
   PieceRequest
+  Rank1TextureLevels
   SliceLoop
 )
