@@ -8,6 +8,7 @@ set(BRAVAIS_FILTERS
   vtkBCCVolumeSource
   vtkBCCVolumeToImage
   vtkGeometryImageSource
+  vtkGeometryImageToPolyData
   vtkImageToBCCVolume
   vtkBayerPattern
   vtkOrderedDither
@@ -20,5 +21,6 @@ set(BRAVAIS_FILTERS_PRIVATE
   BCCResample
   BCCSplineVolume
   BCCSubset
+  GixelSurface
   LayerSampler
 )

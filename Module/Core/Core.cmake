@@ -20,6 +20,9 @@ set(BRAVAIS_CORE
   BayerMeasures
   BayerPattern
   ChirpTransform
+  GixelLevel
+  GixelNormals
+  GixelTriangles
   MirrorTransform
   OrderedDither
   ParametricSurface
