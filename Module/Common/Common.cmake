@@ -14,6 +14,7 @@ set(BRAVAIS_COMMON_PRIVATE
   ImageChecks
   LatticeTag
   PieceRequest
+  Rank1Image
   Rank1TextureLevels
   SliceLoop
 )

@@ -26,12 +26,14 @@ set(BRAVAIS_CORE
   MirrorTransform
   OrderedDither
   ParametricSurface
+  Rank1Lattice
 )
 
 # Those that are a header only, one <Name>.h a line.
 set(BRAVAIS_CORE_HEADERS
   BoxSpline
   FindRoot
+  Rank1Interpolation
   Rank1Level
   RoundTo
 )
