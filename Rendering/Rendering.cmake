@@ -18,6 +18,7 @@ set(BRAVAIS_RENDERING_PRIVATE
 
 # Shader files of GLSL/, one <Name> a line for GLSL/<Name>.glsl.
 set(BRAVAIS_SHADERS
+  bayerJitter
   bcc4Polynomial
   bcc7Polynomial
   bcc8Polynomial

@@ -8,6 +8,7 @@
 #include "vtkBCCLattice.h"
 #include "vtkBCCVolumeInput.h"
 #include "vtkBCCVolumeShaderStage.h"
+#include "vtkBCCVolumeShaderText.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkContourValues.h"
@@ -17,6 +18,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -25,6 +27,17 @@
 #include <string>
 
 vtkStandardNewMacro(vtkBCCVolumeMapper);
+
+namespace
+{
+// What JitterPattern may be.
+enum
+{
+  NoJitter,
+  VTKJitter,
+  BayerJitter
+};
+}
 
 //------------------------------------------------------------------------------
 class vtkBCCVolumeMapper::Internals
@@ -53,6 +66,7 @@ void vtkBCCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Prefilter: " << this->GetPrefilterAsString() << "\n";
   os << indent << "AnalyticGradients: " << (this->AnalyticGradients ? "On" : "Off") << "\n";
   os << indent << "IsoSurfaceRefinement: " << (this->IsoSurfaceRefinement ? "On" : "Off") << "\n";
+  os << indent << "JitterPattern: " << this->GetJitterPatternAsString() << "\n";
   os << indent << "CoefficientTime: " << this->GetCoefficientTime() << "\n";
 }
 
@@ -68,6 +82,53 @@ const char* vtkBCCVolumeMapper::GetPrefilterAsString()
 {
   const auto prefilter = bravais::ToBCCPrefilter(this->Prefilter);
   return prefilter ? bravais::GetName(*prefilter) : "Unknown";
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::SetJitterPattern(int pattern)
+{
+  if (this->JitterPattern != pattern)
+  {
+    this->JitterPattern = pattern;
+    this->UseJittering = pattern == VTKJitter;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkBCCVolumeMapper::GetJitterPatternAsString()
+{
+  static const char* const names[] = { "None", "VTK", "Bayer" };
+  const bool known = this->JitterPattern >= NoJitter && this->JitterPattern <= BayerJitter;
+  return known ? names[this->JitterPattern] : "Unknown";
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::SetUseJittering(vtkTypeBool use)
+{
+  if ((use != 0) != (this->JitterPattern == VTKJitter))
+  {
+    this->SetJitterPattern(use ? VTKJitter : NoJitter);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::AddBayerJitter(vtkShaderProperty* property)
+{
+  if (property)
+  {
+    property->AddFragmentShaderReplacement(vtkBCCVolumeShaderText::JitterStatement, false,
+      vtkBCCVolumeShaderText::GetBayerJitter(), true);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::RemoveBayerJitter(vtkShaderProperty* property)
+{
+  if (property)
+  {
+    property->ClearFragmentShaderReplacement(vtkBCCVolumeShaderText::JitterStatement, false);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -109,6 +170,12 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
   if (this->UseDepthPass && this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND)
   {
     why = "UseDepthPass is on; its contours are those of a Cartesian grid, not of a BCC volume.";
+    return false;
+  }
+  if (this->JitterPattern < NoJitter || this->JitterPattern > BayerJitter)
+  {
+    why = "JitterPattern is " + std::to_string(this->JitterPattern) +
+      "; it has to be 0 (None), 1 (VTK) or 2 (Bayer).";
     return false;
   }
   if (vtkAlgorithm* source = this->GetInputCount() == 1 ? this->GetInputAlgorithm(0, 0) : nullptr)
@@ -195,6 +262,7 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
     property->GetIsoSurfaceValues()->GetNumberOfContours() > 0;
   options.WriteDepth = options.RefineRoots && !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
+  options.BayerJitter = this->JitterPattern == BayerJitter;
   options.Components = impl.Input.Texels.Components;
   const bool colors = options.Components == 4 && !property->GetIndependentComponents();
 

@@ -30,8 +30,9 @@
  *
  * An input that is not a tagged image, is empty or has fewer than two layers, has no point scalars,
  * no finite value or more than four components, a texture larger than OpenGL takes, an unknown
- * kernel or prefilter, or two that do not go together: one error each until something changes, and
- * nothing is rendered. NaN samples spread as far as prefilter and kernel reach, and leave holes.
+ * kernel, prefilter or pattern, or two that do not go together: one error each until something
+ * changes, and nothing is rendered. NaN samples spread as far as prefilter and kernel reach, and
+ * leave holes.
  *
  * Several inputs at once (vtkMultiVolume), partitions and the depth pass of
  * vtkGPUVolumeRayCastMapper, which know Cartesian grids only, are refused in the same way.
@@ -49,6 +50,7 @@
 #include <string> // For Prepare
 
 class vtkImageData;
+class vtkShaderProperty;
 
 class VTKBRAVAIS_EXPORT vtkBCCVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
@@ -110,6 +112,33 @@ public:
   vtkBooleanMacro(IsoSurfaceRefinement, bool);
   ///@}
 
+  ///@{
+  /**
+   * Where along a ray its first sample lies. None (the default): a whole sample distance from where
+   * the ray enters. VTK: a fraction of it, from VTK's noise texture; this is what UseJittering of
+   * the superclass says, which is on exactly if the pattern is VTK. Bayer: (rank + 1/2) / 64 of it,
+   * with the rank of the viewport's pixel in the square of vtkBayerPattern of 8 x 8 pixels, so that
+   * pictures are stable and any 2 x 2 or 4 x 4 pixels together have evenly spaced samples. Both
+   * turn rings of samples that are too far apart into a grain. Slices are not sampled along rays.
+   */
+  void SetJitterPattern(int pattern);
+  vtkGetMacro(JitterPattern, int);
+  void SetJitterPatternToNone() { this->SetJitterPattern(0); }
+  void SetJitterPatternToVTK() { this->SetJitterPattern(1); }
+  void SetJitterPatternToBayer() { this->SetJitterPattern(2); }
+  const char* GetJitterPatternAsString();
+  void SetUseJittering(vtkTypeBool use) override;
+  ///@}
+
+  ///@{
+  /**
+   * Gives Bayer's jitter to a volume of vtkOpenGLGPUVolumeRayCastMapper, by a shader replacement in
+   * the volume's shader property, or takes it away. UseJittering has to be off there.
+   */
+  static void AddBayerJitter(vtkShaderProperty* property);
+  static void RemoveBayerJitter(vtkShaderProperty* property);
+  ///@}
+
   /**
    * The time at which the coefficients in use were computed, 0 before the first rendering.
    */
@@ -148,6 +177,7 @@ private:
   int Prefilter = 1;
   bool AnalyticGradients = true;
   bool IsoSurfaceRefinement = true;
+  int JitterPattern = 0;
 };
 
 #endif

@@ -48,7 +48,10 @@ vtkBCCVolumeShaderStage::~vtkBCCVolumeShaderStage() = default;
 bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
 {
   const auto tie = [](const Options& o)
-  { return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.Components); };
+  {
+    return std::tie(
+      o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter, o.Components);
+  };
   return tie(*this) == tie(other);
 }
 
@@ -188,6 +191,11 @@ bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
     fragment, "texture3D(in_volume[0], g_dataPos)", "BCCLookUp(g_dataPos)");
   // The differences that VTK takes where gradients are not analytic.
   vtkShaderProgram::Substitute(fragment, "texture3D(volume, vec3(", "BCCLookUp(vec3(");
+  if (this->Current.BayerJitter)
+  {
+    vtkShaderProgram::Substitute(
+      fragment, vtkBCCVolumeShaderText::JitterStatement, vtkBCCVolumeShaderText::GetBayerJitter());
+  }
   return values || this->Current.RefineRoots;
 }
 

@@ -43,6 +43,7 @@ public:
     bool AnalyticGradients = true;
     bool RefineRoots = false; // isosurface blending only
     bool WriteDepth = false;  // of refined roots
+    bool BayerJitter = false;
     int Components = 1;
     bool operator==(const Options& other) const;
   };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCVolumeShaderText.h"
 
+#include "bayerJitter_glsl.h"
 #include "bcc4Polynomial_glsl.h"
 #include "bcc7Polynomial_glsl.h"
 #include "bcc8Polynomial_glsl.h"
@@ -63,6 +64,15 @@ std::string vtkBCCVolumeShaderText::GetRayCast(const std::vector<std::string>& m
     text += Define(macro, "1");
   }
   return text + bccRayCast_glsl;
+}
+
+//------------------------------------------------------------------------------
+const char* const vtkBCCVolumeShaderText::JitterStatement = "g_rayJitter = g_dirStep;";
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetBayerJitter()
+{
+  return bayerJitter_glsl;
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,11 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   /// What VTK's ray caster uses of it, with these macros defined to 1: see bccRayCast.glsl.
   static std::string GetRayCast(const std::vector<std::string>& macros);
 
+  /// What takes the place of JitterStatement in VTK's shader: rays start where Bayer has them
+  /// start.
+  static std::string GetBayerJitter();
+  static const char* const JitterStatement;
+
   /// FindRoot(), which needs a BCCDifference().
   static std::string GetFindRoot();
 
