@@ -27,6 +27,7 @@ set(BRAVAIS_CORE
   OrderedDither
   ParametricSurface
   Rank1Lattice
+  Rank1Search
 )
 
 # Those that are a header only, one <Name>.h a line.
