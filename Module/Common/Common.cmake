@@ -4,6 +4,7 @@
 # What Filters and Rendering share, one class a line.
 set(BRAVAIS_COMMON
   vtkBCCLattice
+  vtkRank1Lattice
 )
 
 # Functions that they share and nobody else needs, one name a line for <Name>.h and <Name>.cxx.
