@@ -26,6 +26,7 @@ set(BRAVAIS_SHADERS
   bccCubicSpline
   bccFindRoot
   bccFrame
+  bccGrazing
   bccIsoSurfaceDec
   bccIsoSurfaceImpl
   bccIsoSurfaceInit

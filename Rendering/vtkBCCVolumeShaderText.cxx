@@ -10,6 +10,7 @@
 #include "bccCubicSpline_glsl.h"
 #include "bccFindRoot_glsl.h"
 #include "bccFrame_glsl.h"
+#include "bccGrazing_glsl.h"
 #include "bccIsoSurfaceDec_glsl.h"
 #include "bccIsoSurfaceImpl_glsl.h"
 #include "bccIsoSurfaceInit_glsl.h"
@@ -84,7 +85,7 @@ std::string vtkBCCVolumeShaderText::GetFindRoot()
 //------------------------------------------------------------------------------
 std::string vtkBCCVolumeShaderText::GetIsoSurfaceDeclarations()
 {
-  return bccIsoSurfaceDec_glsl;
+  return std::string(bccIsoSurfaceDec_glsl) + bccGrazing_glsl;
 }
 
 //------------------------------------------------------------------------------

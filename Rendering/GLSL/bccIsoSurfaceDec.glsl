@@ -15,6 +15,8 @@ uniform float in_bccDepthOpacity; // the opacity from which a surface counts for
 
 vec3 l_bccPosition; // the last sample's
 float l_bccScalar;
+vec3 l_bccPositionBefore; // of the sample before the last, or the last where there is none
+float l_bccScalarBefore;
 vec3 l_bccStep; // from it to this one
 float l_bccIsoValue; // that the ray meets next
 float l_bccSteps; // from the last sample to the ray's end
@@ -69,6 +71,15 @@ float BCCNextIsoValue(bool rising)
 {
   l_initialIndex = clamp(l_initialIndex, 0, NUMBER_OF_CONTOURS);
   return l_normValues[l_initialIndex + (rising ? 1 : 0)];
+}
+
+// Makes a sample the last one.
+void BCCPassSample(vec3 texturePosition, float scalar)
+{
+  l_bccPositionBefore = l_bccPosition;
+  l_bccScalarBefore = l_bccScalar;
+  l_bccPosition = texturePosition;
+  l_bccScalar = scalar;
 }
 
 // After g_dataPos has gone one step further: where that is beyond the ray's end, back to the end.

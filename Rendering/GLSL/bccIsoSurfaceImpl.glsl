@@ -6,8 +6,9 @@
       float value;
       bool rising;
       bool crossed;
-      // To the next sample beyond an isovalue, or the last. This loop holds nothing else, as there
-      // are machines that compute a branch whether it is taken or not.
+      bool grazing;
+      // To the next sample beyond an isovalue or near one at an extremum, or the last. This loop holds
+      // nothing else, as there are machines that compute a branch whether it is taken or not.
       while (true)
       {
         value = BCCIsoScalar(g_dataPos);
@@ -16,20 +17,24 @@
         if (l_bccFirst || !(rising || value <= l_bccScalar))
         {
           l_initialIndex = findIsoSurfaceIndex(value, l_normValues);
-          l_bccScalar = value;
+          BCCPassSample(g_dataPos, value);
+          BCCPassSample(g_dataPos, value); // There is none before.
           l_bccFirst = false;
         }
         l_bccIsoValue = BCCNextIsoValue(rising);
         crossed = rising ? value > l_bccIsoValue : value < l_bccIsoValue;
-        if (crossed || l_bccLast)
+        grazing = BCCMayGraze(value);
+        if (crossed || grazing || l_bccLast)
         {
           break;
         }
-        l_bccPosition = g_dataPos;
-        l_bccScalar = value;
+        BCCPassSample(g_dataPos, value);
         g_dataPos += g_dirStep;
         BCCCountStep();
       }
+
+      vec3 next = g_dataPos;
+      bool grazed = grazing && BCCGraze(value, rising, crossed, next);
 
       // All surfaces since the sample before, in their order.
       vec3 samplePosition = g_dataPos;
@@ -55,8 +60,11 @@
             g_fragColor.a <= g_opacityThreshold;
         }
       } while (crossed);
-      g_dataPos = samplePosition;
-      l_bccPosition = samplePosition;
-      l_bccScalar = value;
+      g_dataPos = next;
+      BCCPassSample(samplePosition, value);
+      if (grazed)
+      {
+        BCCPassSample(samplePosition, value); // The one before is not to be met again.
+      }
     }
 #endif
