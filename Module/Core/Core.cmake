@@ -27,12 +27,14 @@ set(BRAVAIS_CORE
   OrderedDither
   ParametricSurface
   Rank1Lattice
+  Rank1Resampler
   Rank1Search
 )
 
 # Those that are a header only, one <Name>.h a line.
 set(BRAVAIS_CORE_HEADERS
   BoxSpline
+  CellCoverage
   FindRoot
   Rank1Interpolation
   Rank1Level
