@@ -166,16 +166,13 @@ inline Rank1Integer<T> FindRank1Nearest(const Rank1Texture<T>& texture, const gl
   const Rank1Site<T> site = FindRank1Site(texture, uv);
   const T x = site.Fraction.x;
   const T y = site.Fraction.y;
-  const T x1 = x - T(1);
-  const T y1 = y - T(1);
+  // Squared distances to the corners, less that to the cell's own, which may be large.
   const glm::vec<3, T>& m = texture.Metric;
-  const T d00 = (m.x * x + m.y * y) * x + m.z * y * y;
-  const T d10 = (m.x * x1 + m.y * y) * x1 + m.z * y * y;
-  const T d01 = (m.x * x + m.y * y1) * x + m.z * y1 * y1;
-  const T d11 = (m.x * x1 + m.y * y1) * x1 + m.z * y1 * y1;
-  const bool right0 = d10 < d00;
-  const bool right1 = d11 < d01;
-  const bool up = (right1 ? d11 : d01) < (right0 ? d10 : d00);
+  const T d10 = m.x * (T(1) - T(2) * x) - m.y * y;
+  const T d01 = m.z * (T(1) - T(2) * y) - m.y * x;
+  const bool right0 = d10 < T(0);
+  const bool right1 = d10 + m.y < T(0);
+  const bool up = d01 + (right1 ? d10 + m.y : T(0)) < (right0 ? d10 : T(0));
   const Int s = (up ? right1 : right0) ? Int(1) : Int(0);
   const Int t = up ? Int(1) : Int(0);
   return Rank1Texel(texture, site.Tile, site.Cell + glm::vec<2, Int>(s, t));
