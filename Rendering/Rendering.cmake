@@ -14,6 +14,9 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCVolumeInput
   vtkBCCVolumeShaderStage
   vtkBCCVolumeShaderText
+  vtkRank1ShaderText
+  vtkRank1TexelTexture
+  vtkRank1TextureInput
 )
 
 # Shader files of GLSL/, one <Name> a line for GLSL/<Name>.glsl.
@@ -33,4 +36,13 @@ set(BRAVAIS_SHADERS
   bccIsoSurfaceTerminate
   bccRayCast
   bccVolume
+  rank1BoxSpline
+  rank1FragmentImpl
+  rank1Index
+  rank1Interpolation
+  rank1Level
+  rank1LookUp
+  rank1Texture
+  rank1VertexDec
+  rank1VertexImpl
 )
