@@ -4,6 +4,7 @@
 # Mappers and textures, one class a line.
 set(BRAVAIS_RENDERING
   vtkBCCVolumeMapper
+  vtkRank1TexturedPolyDataMapper
 )
 
 # What they are made of, not installed, one name a line for <Name>.h and <Name>.cxx.
