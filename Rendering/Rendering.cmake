@@ -11,6 +11,8 @@ set(BRAVAIS_RENDERING
 set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCCoefficientArray
   vtkBCCCoefficientTexels
+  vtkBCCRenderChecks
+  vtkBCCShaderCheck
   vtkBCCVolumeFrame
   vtkBCCVolumeInput
   vtkBCCVolumeShaderStage
@@ -35,6 +37,8 @@ set(BRAVAIS_SHADERS
   bccIsoSurfaceImpl
   bccIsoSurfaceInit
   bccIsoSurfaceTerminate
+  bccNothing
+  bccNowhere
   bccRayCast
   bccVolume
   rank1BoxSpline

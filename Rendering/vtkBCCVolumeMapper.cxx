@@ -6,14 +6,15 @@
 #include "BCCCoefficients.h"
 #include "BCCPrefilter.h"
 #include "vtkBCCLattice.h"
+#include "vtkBCCRenderChecks.h"
 #include "vtkBCCVolumeInput.h"
 #include "vtkBCCVolumeShaderStage.h"
 #include "vtkBCCVolumeShaderText.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkContourValues.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMultiVolume.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -45,6 +46,7 @@ class vtkBCCVolumeMapper::Internals
 public:
   vtkBCCVolumeInput Input;
   vtkNew<vtkBCCVolumeShaderStage> Stage;
+  bool HasLabels = false;
   std::string LastError;
   vtkMTimeType LastErrorTime = 0;
 };
@@ -162,14 +164,8 @@ double* vtkBCCVolumeMapper::GetBounds()
 //------------------------------------------------------------------------------
 bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::string& why)
 {
-  if (vtkMultiVolume::SafeDownCast(volume) || this->GetInputCount() > 1)
+  if (!vtkBCCRenderChecks::Check(this, volume, why))
   {
-    why = "There is more than one input; a BCC volume is rendered by itself.";
-    return false;
-  }
-  if (this->UseDepthPass && this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND)
-  {
-    why = "UseDepthPass is on; its contours are those of a Cartesian grid, not of a BCC volume.";
     return false;
   }
   if (this->JitterPattern < NoJitter || this->JitterPattern > BayerJitter)
@@ -188,7 +184,8 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
     image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
   vtkBCCVolumeInput& input = this->Impl->Input;
   if (!input.SetSource(image, cellFlag == 0 ? scalars : nullptr, why) ||
-    !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why))
+    !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why) ||
+    !vtkBCCRenderChecks::CheckShading(renderer, volume, scalars->GetNumberOfComponents(), why))
   {
     return false;
   }
@@ -239,7 +236,6 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->ReportOnce(why);
     return;
   }
-  impl.LastError.clear();
 
   // VTK takes its own copy of an input, unless there is one that is newer than the input.
   vtkDataSet*& shown = this->TransformedInputs[0];
@@ -252,6 +248,13 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     shown = impl.Input.StandIn;
     shown->Register(this);
   }
+  // VTK makes the tables of a label map together with its other resources only.
+  const bool labels = this->MaskInput && this->MaskType == LabelMapMaskType;
+  if (labels && !impl.HasLabels)
+  {
+    this->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
+  impl.HasLabels = labels;
   this->LastInputs[0] = this->GetDataSetInput();
 
   vtkVolumeProperty* property = volume->GetProperty();
@@ -262,6 +265,10 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
     property->GetIsoSurfaceValues()->GetNumberOfContours() > 0;
   options.WriteDepth = options.RefineRoots && !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
+  options.LightComplexity =
+    property->GetShade() ? vtkBCCRenderChecks::GetLightComplexity(renderer) : 0;
+  options.Mask = this->MaskInput ? this->MaskType : -1;
+  options.UserHash = vtkBCCShaderCheck::GetHash(volume);
   options.BayerJitter = this->JitterPattern == BayerJitter;
   options.Components = impl.Input.Texels.Components;
   const bool colors = options.Components == 4 && !property->GetIndependentComponents();
@@ -273,4 +280,13 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   this->Superclass::Render(renderer, volume);
   impl.Stage->End();
   this->ScalarMode = scalarMode;
+
+  if (impl.Stage->GetShaderLog().empty())
+  {
+    impl.LastError.clear();
+  }
+  else
+  {
+    this->ReportOnce("The shader does not compile: " + impl.Stage->GetShaderLog());
+  }
 }

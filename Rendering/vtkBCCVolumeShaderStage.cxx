@@ -49,8 +49,8 @@ bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
 {
   const auto tie = [](const Options& o)
   {
-    return std::tie(
-      o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter, o.Components);
+    return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter,
+      o.LightComplexity, o.Mask, o.UserHash, o.Components);
   };
   return tie(*this) == tie(other);
 }
@@ -185,7 +185,7 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
 
 //------------------------------------------------------------------------------
 bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp*)
+  std::string& vertex, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp*)
 {
   const bool values = vtkShaderProgram::Substitute(
     fragment, "texture3D(in_volume[0], g_dataPos)", "BCCLookUp(g_dataPos)");
@@ -196,6 +196,7 @@ bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
     vtkShaderProgram::Substitute(
       fragment, vtkBCCVolumeShaderText::JitterStatement, vtkBCCVolumeShaderText::GetBayerJitter());
   }
+  this->Check.Check(this->Volume, vertex, fragment);
   return values || this->Current.RefineRoots;
 }
 

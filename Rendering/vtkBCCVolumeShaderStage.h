@@ -18,6 +18,7 @@
 #define vtkBCCVolumeShaderStage_h
 
 #include "BCCKernel.h"
+#include "vtkBCCShaderCheck.h"
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkWeakPointer.h"
@@ -44,6 +45,10 @@ public:
     bool RefineRoots = false; // isosurface blending only
     bool WriteDepth = false;  // of refined roots
     bool BayerJitter = false;
+    // Of these VTK takes no notice by itself:
+    int LightComplexity = 0;
+    int Mask = -1; // its type, or -1
+    std::size_t UserHash = 0;
     int Components = 1;
     bool operator==(const Options& other) const;
   };
@@ -54,6 +59,9 @@ public:
     const vtkBCCVolumeFrame& frame, const vtkBCCCoefficientTexels& texels, float normalizer);
   /// Leaves them.
   void End();
+
+  /// What the driver has said of the shader in use, if that does not compile.
+  const std::string& GetShaderLog() const { return this->Check.Log; }
 
   /// Whether another pass, or who asked to keep OpenGL's state, decides on the depth buffer.
   static bool IsDepthTaken(vtkVolume* volume);
@@ -83,6 +91,7 @@ private:
   const vtkBCCVolumeFrame* Frame = nullptr;
   const vtkBCCCoefficientTexels* Texels = nullptr;
   float Normalizer = 1.0f;
+  vtkBCCShaderCheck Check;
 
   struct DepthState;
   std::unique_ptr<DepthState> Saved;

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBCCRenderChecks.h"
+
+#include "vtkCellData.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMultiVolume.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+// VTK's ray caster holds so many.
+constexpr int MaximumLights = 6;
+
+template <class Function>
+void ForEachLight(vtkRenderer* renderer, Function function)
+{
+  vtkCollectionSimpleIterator place;
+  vtkLightCollection* lights = renderer->GetLights();
+  lights->InitTraversal(place);
+  while (vtkLight* light = lights->GetNextLight(place))
+  {
+    if (light->GetSwitch())
+    {
+      function(light);
+    }
+  }
+}
+
+bool HasScalars(vtkImageData* image)
+{
+  return image->GetNumberOfCells() > 0 &&
+    (image->GetPointData()->GetScalars() || image->GetCellData()->GetScalars());
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCRenderChecks::Check(
+  vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, std::string& why)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  const int mode = mapper->GetBlendMode();
+  if (vtkMultiVolume::SafeDownCast(volume) || mapper->GetInputCount() > 1)
+  {
+    why = "There is more than one input; a BCC volume is rendered by itself.";
+  }
+  else if (mode < vtkVolumeMapper::COMPOSITE_BLEND || mode > vtkVolumeMapper::SLICE_BLEND)
+  {
+    why = "BlendMode is " + std::to_string(mode) + "; it has to be 0 (composite) to 6 (slice).";
+  }
+  else if (mapper->GetUseDepthPass() && mode == vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    why = "UseDepthPass is on; its contours are those of a Cartesian grid, not of a BCC volume.";
+  }
+  else if (mode == vtkVolumeMapper::SLICE_BLEND &&
+    !vtkPlane::SafeDownCast(property->GetSliceFunction()))
+  {
+    why = "The property's SliceFunction is not a vtkPlane, which is what slices are cut along.";
+  }
+  else if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D &&
+    mapper->GetTransfer2DYAxisArray())
+  {
+    why = std::string("Transfer2DYAxisArray is ") + mapper->GetTransfer2DYAxisArray() +
+      "; the second axis of 2D transfer functions can only be the gradient's magnitude.";
+  }
+  else if (mapper->GetMaskInput() && !HasScalars(mapper->GetMaskInput()))
+  {
+    why = "The mask has no scalars; it has to be an image of labels.";
+  }
+  return why.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCRenderChecks::CheckShading(
+  vtkRenderer* renderer, vtkVolume* volume, int components, std::string& why)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  int lights = 0;
+  ForEachLight(renderer, [&](vtkLight*) { ++lights; });
+  if (!property->GetIndependentComponents() && components % 2 == 1)
+  {
+    why = "IndependentComponents is off and the input's scalars have " +
+      std::to_string(components) + " components; dependent ones are 2 or 4.";
+  }
+  else if (property->GetShade() && lights > MaximumLights)
+  {
+    why = std::to_string(lights) + " lights are on; volumes are shaded by up to " +
+      std::to_string(MaximumLights) + ".";
+  }
+  return why.empty();
+}
+
+//------------------------------------------------------------------------------
+int vtkBCCRenderChecks::GetLightComplexity(vtkRenderer* renderer)
+{
+  int complexity = 0;
+  ForEachLight(renderer,
+    [&](vtkLight* light)
+    {
+      const bool plain =
+        complexity == 0 && light->LightTypeIsHeadlight() && light->GetIntensity() == 1.0;
+      complexity = std::max(complexity, light->GetPositional() ? 3 : plain ? 1 : 2);
+    });
+  return complexity;
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBCCRenderChecks
+ * @brief   what VTK's ray caster would crash at, draw wrongly, or complain of in every frame
+ *
+ * The settings of a mapper and of a volume's property are looked at before VTK is given them.
+ */
+
+#ifndef vtkBCCRenderChecks_h
+#define vtkBCCRenderChecks_h
+
+#include <string>
+
+class vtkGPUVolumeRayCastMapper;
+class vtkRenderer;
+class vtkVolume;
+
+struct vtkBCCRenderChecks
+{
+  /// Whether VTK can render a volume of one input; else tells why not.
+  static bool Check(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, std::string& why);
+
+  /// The same for what depends on the components of the scalars, and on the lights.
+  static bool CheckShading(
+    vtkRenderer* renderer, vtkVolume* volume, int components, std::string& why);
+
+  /// What VTK's shader depends on of the lights: 0 without any, 1 for one plain headlight, 2 for
+  /// others, 3 if one has a position.
+  static int GetLightComplexity(vtkRenderer* renderer);
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkBCCRenderChecks.h
