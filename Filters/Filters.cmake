@@ -12,6 +12,7 @@ set(BRAVAIS_FILTERS
   vtkImageToBCCVolume
   vtkBayerPattern
   vtkOrderedDither
+  vtkRank1ImageResample
 )
 
 # What they are made of and nobody else needs, one name a line for <Name>.h and <Name>.cxx.
@@ -23,4 +24,5 @@ set(BRAVAIS_FILTERS_PRIVATE
   BCCSubset
   GixelSurface
   LayerSampler
+  Rank1Resample
 )
