@@ -19,6 +19,8 @@ set(BRAVAIS_CORE
   BSplineSampler
   BayerMeasures
   BayerPattern
+  BitMask
+  CellGrid
   ChirpTransform
   GixelLevel
   GixelNormals
@@ -29,6 +31,16 @@ set(BRAVAIS_CORE
   Rank1Lattice
   Rank1Resampler
   Rank1Search
+  CullOctree
+  GixelOctree
+  GixelSurface
+  MaskStore
+  MirrorTransform
+  OrderedDither
+  ParametricSurface
+  RoaringCode
+  RunLengthCode
+  VolumeTest
 )
 
 # Those that are a header only, one <Name>.h a line.
@@ -54,6 +66,9 @@ set_source_files_properties(Module/Core/BCCQuasiInterpolation.cxx
 # Products and sums become fused where the processor can: half the instructions of a polynomial.
 set_source_files_properties(Module/Core/BCCSplineRows.cxx
   PROPERTIES COMPILE_OPTIONS "-ffp-contract=fast")
+# Bounds of sums hold to the last bit where their terms round as VTK's do.
+set_source_files_properties(Module/Core/CellGrid.cxx Module/Core/VolumeTest.cxx
+  PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
 # With checks and debug information for each of Highway's instruction sets, that file would compile
 # for many minutes.
 if (BRAVAIS_SANITIZE)
