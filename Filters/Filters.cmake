@@ -7,6 +7,7 @@ set(BRAVAIS_FILTERS
   vtkBCCPrefilter
   vtkBCCVolumeSource
   vtkBCCVolumeToImage
+  vtkGeometryImageLocalityMask
   vtkGeometryImageSource
   vtkGeometryImageToPolyData
   vtkImageToBCCVolume
@@ -25,4 +26,8 @@ set(BRAVAIS_FILTERS_PRIVATE
   GixelSurface
   LayerSampler
   Rank1Resample
+  CullVolume
+  GeometryHierarchy
+  LayerSampler
+  LocalityQuery
 )

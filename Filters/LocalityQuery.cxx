@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalityQuery.h"
+
+#include "SliceLoop.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkImplicitFunction.h"
+
+#include <algorithm>
+
+namespace bravais
+{
+
+namespace
+{
+
+/// Writes 1 for those gixels of a leaf that are inside.
+template <class F>
+void PaintGixels(const GixelOctree& tree, std::uint32_t leaf, const F& inside, std::uint8_t* mask)
+{
+  const std::vector<std::uint32_t>& places = tree.GetLeaves().Gixels;
+  for (std::uint32_t n = places[leaf]; n < places[leaf + 1]; ++n)
+  {
+    const std::uint32_t gixel = tree.GetGixels()[n];
+    mask[gixel] = inside(gixel) ? 1 : 0;
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void LocalityQuery::Paint(
+  const GeometryHierarchy& hierarchy, int depth, std::uint32_t node, std::uint8_t* mask)
+{
+  const MaskStore::Code code = hierarchy.GetMasks().Get(depth, node);
+  this->Size += static_cast<std::uint64_t>(code.End - code.Begin);
+  hierarchy.GetMasks().Paint(depth, node, mask);
+}
+
+//------------------------------------------------------------------------------
+bool LocalityQuery::FindLeaves(vtkAlgorithm* self, const GeometryHierarchy& hierarchy,
+  const GixelView& gixels, vtkImplicitFunction* function, double begin)
+{
+  const GixelOctree& tree = hierarchy.GetTree();
+  this->Inside.assign(static_cast<std::size_t>(gixels.GetNumberOfGixels()), 0);
+  // Functions need not be safe to call from several threads.
+  const auto row = [&](int j)
+  {
+    for (vtkIdType gixel = j * gixels.GetWidth(); gixel < (j + 1) * gixels.GetWidth(); ++gixel)
+    {
+      if (gixels.IsUsed(gixel))
+      {
+        double x[3];
+        gixels.GetPoint(gixel, x);
+        this->Inside[static_cast<std::size_t>(gixel)] = function->FunctionValue(x) < 0.0;
+      }
+    }
+  };
+  const int last = static_cast<int>(gixels.GetHeight()) - 1;
+  if (!ForEachSliceInOrder(self, 0, last, row, begin, 0.5 + 0.5 * begin))
+  {
+    return false;
+  }
+  const GixelOctree::Level& leaves = tree.GetLeaves();
+  for (std::uint32_t leaf = 0; leaf < leaves.GetSize(); ++leaf)
+  {
+    const auto* first = tree.GetGixels().data() + leaves.Gixels[leaf];
+    const auto* end = tree.GetGixels().data() + leaves.Gixels[leaf + 1];
+    if (std::any_of(first, end, [&](std::uint32_t gixel) { return this->Inside[gixel] != 0; }))
+    {
+      this->Result.Partly.push_back(leaf);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool LocalityQuery::Execute(vtkAlgorithm* self, const GeometryHierarchy& hierarchy,
+  const GixelView& gixels, const CullVolume& volume, bool refine, double begin, std::uint8_t* mask)
+{
+  this->Result.Inside.clear();
+  this->Result.Partly.clear();
+  this->Leaves = 0;
+  this->Size = 0;
+  self->UpdateProgress(begin);
+  const GixelOctree& tree = hierarchy.GetTree();
+  if (!hierarchy.GetGrid())
+  {
+    self->UpdateProgress(1.0);
+    return !self->GetAbortExecute(); // no gixel is used
+  }
+  if (volume.Test)
+  {
+    CullOctree(tree, *hierarchy.GetGrid(), *volume.Test, this->Result);
+  }
+  else if (volume.Function)
+  {
+    if (!this->FindLeaves(self, hierarchy, gixels, volume.Function, begin))
+    {
+      return false;
+    }
+  }
+  else if (tree.GetLevel(0).GetSize())
+  {
+    this->Result.Inside.push_back({ 0, 0 });
+  }
+  self->UpdateProgress(0.4 * begin + 0.6);
+  this->Leaves = CountLeaves(tree, this->Result);
+  const int depth = tree.GetDepth();
+  for (const OctreeNode& node : this->Result.Inside)
+  {
+    if (hierarchy.GetMasks().Has(node.Depth))
+    {
+      this->Paint(hierarchy, node.Depth, node.Index, mask);
+      continue;
+    }
+    const std::uint32_t end = tree.GetFirstLeaf(node.Depth, node.Index + 1);
+    for (std::uint32_t leaf = tree.GetFirstLeaf(node.Depth, node.Index); leaf < end; ++leaf)
+    {
+      this->Paint(hierarchy, depth, leaf, mask);
+    }
+  }
+  self->UpdateProgress(0.2 * begin + 0.8);
+  for (const std::uint32_t leaf : this->Result.Partly)
+  {
+    if (!refine)
+    {
+      this->Paint(hierarchy, depth, leaf, mask);
+    }
+    else if (!volume.Test)
+    {
+      PaintGixels(
+        tree, leaf, [&](std::uint32_t g) { return this->Inside[g] != 0; }, mask);
+    }
+    else
+    {
+      const auto inside = [&](std::uint32_t gixel)
+      {
+        glm::dvec3 x;
+        gixels.GetPoint(gixel, &x.x);
+        return volume.Function ? volume.Function->FunctionValue(&x.x) < 0.0
+                               : volume.Test->Contains(x);
+      };
+      PaintGixels(tree, leaf, inside, mask);
+    }
+  }
+  self->UpdateProgress(1.0);
+  return !self->GetAbortExecute();
+}
+
+} // namespace bravais

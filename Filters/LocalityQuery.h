@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LocalityQuery_h
+#define LocalityQuery_h
+
+#include "CullOctree.h"
+#include "CullVolume.h"
+#include "GeometryHierarchy.h"
+#include "GeometryImage.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkAlgorithm;
+
+namespace bravais
+{
+
+/// One query of a hierarchy: which nodes a volume meets, and the union of their masks, which it
+/// writes to one byte a gixel, all 0 before.
+class LocalityQuery
+{
+public:
+  /// False if `self` was aborted. Progress goes from `begin` to 1.
+  bool Execute(vtkAlgorithm* self, const GeometryHierarchy& hierarchy, const GixelView& gixels,
+    const CullVolume& volume, bool refine, double begin, std::uint8_t* mask);
+
+  std::uint64_t GetNumberOfLeaves() const { return this->Leaves; }
+  std::uint64_t GetSize() const { return this->Size; } // compressed bytes of the masks united
+
+private:
+  bool FindLeaves(vtkAlgorithm* self, const GeometryHierarchy& hierarchy, const GixelView& gixels,
+    vtkImplicitFunction* function, double begin);
+  void Paint(const GeometryHierarchy& hierarchy, int depth, std::uint32_t node, std::uint8_t* mask);
+
+  CullResult Result;
+  std::vector<std::uint8_t> Inside; // of each gixel, where only gixels can be asked
+  std::uint64_t Leaves = 0;
+  std::uint64_t Size = 0;
+};
+
+} // namespace bravais
+
+#endif
