@@ -6,11 +6,11 @@
 #include "CullVolume.h"
 #include "GeometryHierarchy.h"
 #include "GeometryImage.h"
-#include "GixelSurface.h"
 #include "LocalityQuery.h"
 #include "PieceRequest.h"
 #include "RoaringCode.h"
 #include "RunLengthCode.h"
+#include "TriangleSearch.h"
 
 #include "vtkCamera.h"
 #include "vtkIdTypeArray.h"
@@ -43,10 +43,10 @@ public:
   vtkTimeStamp HierarchyTime;
   bravais::GeometryHierarchy Other; // of the image at port 1
   bravais::LocalityQuery Query;
-  vtkSmartPointer<vtkUnsignedCharArray> Mask;     // of the last query
-  vtkSmartPointer<vtkImageData> Image;            // the input as it then was
-  std::vector<std::uint32_t> LeafOrder;           // leaves by cell, made when it is asked for
-  std::unique_ptr<bravais::GixelSurface> Surface; // likewise
+  vtkSmartPointer<vtkUnsignedCharArray> Mask;       // of the last query
+  vtkSmartPointer<vtkImageData> Image;              // the input as it then was
+  std::vector<std::uint32_t> LeafOrder;             // leaves by cell, made when it is asked for
+  std::unique_ptr<bravais::TriangleSearch> Surface; // likewise
 
   void Forget()
   {
@@ -401,7 +401,7 @@ bool vtkGeometryImageLocalityMask::IntersectWithLine(
     return false;
   }
   const bravais::GixelView view(own.Image);
-  const bravais::GixelSurface::Positions positions = [&](std::uint32_t gixel)
+  const bravais::TriangleSearch::Positions positions = [&](std::uint32_t gixel)
   {
     glm::dvec3 point;
     view.GetPoint(gixel, &point.x);
@@ -409,7 +409,7 @@ bool vtkGeometryImageLocalityMask::IntersectWithLine(
   };
   if (!own.Surface)
   {
-    own.Surface = std::make_unique<bravais::GixelSurface>(own.Hierarchy.GetTree(),
+    own.Surface = std::make_unique<bravais::TriangleSearch>(own.Hierarchy.GetTree(),
       static_cast<std::uint32_t>(view.GetWidth()), static_cast<std::uint32_t>(view.GetHeight()),
       positions);
   }

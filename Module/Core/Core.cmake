@@ -33,13 +33,13 @@ set(BRAVAIS_CORE
   Rank1Search
   CullOctree
   GixelOctree
-  GixelSurface
   MaskStore
   MirrorTransform
   OrderedDither
   ParametricSurface
   RoaringCode
   RunLengthCode
+  TriangleSearch
   VolumeTest
 )
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef GixelSurface_h
-#define GixelSurface_h
+#ifndef TriangleSearch_h
+#define TriangleSearch_h
 
 #include "CullOctree.h"
 #include "GixelOctree.h"
@@ -22,7 +22,7 @@ namespace bravais
  * gixels, so each node has the box of the triangles that belong to it: to the leaf of the first
  * gixel, in that order, which has one.
  */
-class GixelSurface
+class TriangleSearch
 {
 public:
   using Positions = std::function<glm::dvec3(std::uint32_t gixel)>;
@@ -38,7 +38,7 @@ public:
   };
 
   /// Of the gixels that are in the tree. The tree has to outlive this.
-  GixelSurface(
+  TriangleSearch(
     const GixelOctree& tree, std::uint32_t width, std::uint32_t height, const Positions& positions);
 
   /// The first triangle that the line meets, seen from either side, its ends included.

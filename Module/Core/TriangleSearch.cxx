@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GixelSurface.h"
+#include "TriangleSearch.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -54,7 +54,7 @@ bool MeetTriangle(const glm::dvec3& from, const glm::dvec3& along, const glm::dv
 } // namespace
 
 //------------------------------------------------------------------------------
-GixelSurface::GixelSurface(
+TriangleSearch::TriangleSearch(
   const GixelOctree& tree, std::uint32_t width, std::uint32_t height, const Positions& positions)
   : Tree(tree)
   , Width(width)
@@ -97,7 +97,7 @@ GixelSurface::GixelSurface(
 }
 
 //------------------------------------------------------------------------------
-int GixelSurface::GetTriangles(
+int TriangleSearch::GetTriangles(
   std::uint32_t corner, const Positions& positions, std::array<Triangle, 2>& triangles) const
 {
   const std::uint32_t a = corner;
@@ -127,7 +127,7 @@ int GixelSurface::GetTriangles(
 }
 
 //------------------------------------------------------------------------------
-bool GixelSurface::IsOwner(std::uint32_t gixel, std::uint32_t corner) const
+bool TriangleSearch::IsOwner(std::uint32_t gixel, std::uint32_t corner) const
 {
   for (const std::uint32_t other :
     { corner, corner + 1, corner + this->Width, corner + this->Width + 1 })
@@ -141,7 +141,7 @@ bool GixelSurface::IsOwner(std::uint32_t gixel, std::uint32_t corner) const
 }
 
 //------------------------------------------------------------------------------
-void GixelSurface::AddToLeaf(std::uint32_t corner, const Positions& positions)
+void TriangleSearch::AddToLeaf(std::uint32_t corner, const Positions& positions)
 {
   std::array<Triangle, 2> triangles;
   const int count = this->GetTriangles(corner, positions, triangles);
@@ -164,7 +164,7 @@ void GixelSurface::AddToLeaf(std::uint32_t corner, const Positions& positions)
 }
 
 //------------------------------------------------------------------------------
-std::optional<GixelSurface::Hit> GixelSurface::Intersect(
+std::optional<TriangleSearch::Hit> TriangleSearch::Intersect(
   const glm::dvec3& from, const glm::dvec3& to, const Positions& positions) const
 {
   const SegmentTest line(from, to);
