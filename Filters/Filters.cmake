@@ -13,6 +13,7 @@ set(BRAVAIS_FILTERS
   vtkImageToBCCVolume
   vtkBayerPattern
   vtkOrderedDither
+  vtkRank1ImageReconstruct
   vtkRank1ImageResample
 )
 

@@ -50,6 +50,7 @@ set(BRAVAIS_CORE_HEADERS
   FindRoot
   Rank1Interpolation
   Rank1Level
+  Rank1LookUp
   RoundTo
 )
 
