@@ -28,6 +28,7 @@ set(BRAVAIS_CORE
   MirrorTransform
   OrderedDither
   ParametricSurface
+  Rank1Cells
   Rank1Lattice
   Rank1Resampler
   Rank1Search
