@@ -15,6 +15,7 @@ set(BRAVAIS_FILTERS
   vtkOrderedDither
   vtkRank1ImageReconstruct
   vtkRank1ImageResample
+  vtkRank1ImageToPolyData
 )
 
 # What they are made of and nobody else needs, one name a line for <Name>.h and <Name>.cxx.
@@ -26,6 +27,7 @@ set(BRAVAIS_FILTERS_PRIVATE
   BCCSubset
   GixelSurface
   LayerSampler
+  Rank1Polygons
   Rank1Resample
   CullVolume
   GeometryHierarchy
