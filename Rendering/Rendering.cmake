@@ -15,6 +15,7 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCShaderCheck
   vtkBCCVolumeFrame
   vtkBCCVolumeInput
+  vtkBCCVolumeMask
   vtkBCCVolumeShaderStage
   vtkBCCVolumeShaderText
   vtkRank1ShaderText
@@ -37,8 +38,11 @@ set(BRAVAIS_SHADERS
   bccIsoSurfaceImpl
   bccIsoSurfaceInit
   bccIsoSurfaceTerminate
+  bccMask
+  bccNearest
   bccNothing
   bccNowhere
+  bccPicking
   bccRayCast
   bccVolume
   rank1BoxSpline

@@ -33,6 +33,17 @@ vtkBCCVolumeFrame::vtkBCCVolumeFrame(vtkImageData* volume)
 }
 
 //------------------------------------------------------------------------------
+void vtkBCCVolumeFrame::GetGradientMatrix(float matrix[9]) const
+{
+  for (int i = 0; i < 9; ++i)
+  {
+    const int axis = i / 3;
+    matrix[i] =
+      static_cast<float>(this->Direction[3 * (i % 3) + axis] * this->LatticePerUnit[axis]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkBCCVolumeFrame::FitStandIn(vtkImageData* standIn) const
 {
   standIn->Initialize();

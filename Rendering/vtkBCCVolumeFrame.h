@@ -28,6 +28,10 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeFrame
   /// Gives an image the volume's box, direction and number of cells; drops what it holds.
   void FitStandIn(vtkImageData* standIn) const;
 
+  /// What makes the gradient in the volume's own system, direction and all, of derivatives along
+  /// lattice coordinates: a matrix by columns.
+  void GetGradientMatrix(float matrix[9]) const;
+
   int Extent[6];
   double Low[3];
   double High[3];

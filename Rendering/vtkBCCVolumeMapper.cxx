@@ -8,6 +8,7 @@
 #include "vtkBCCLattice.h"
 #include "vtkBCCRenderChecks.h"
 #include "vtkBCCVolumeInput.h"
+#include "vtkBCCVolumeMask.h"
 #include "vtkBCCVolumeShaderStage.h"
 #include "vtkBCCVolumeShaderText.h"
 
@@ -268,6 +269,8 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   options.LightComplexity =
     property->GetShade() ? vtkBCCRenderChecks::GetLightComplexity(renderer) : 0;
   options.Mask = this->MaskInput ? this->MaskType : -1;
+  options.LatticeMask =
+    this->MaskInput && vtkBCCVolumeMask::IsLattice(this->MaskInput, *impl.Input.Frame);
   options.UserHash = vtkBCCShaderCheck::GetHash(volume);
   options.BayerJitter = this->JitterPattern == BayerJitter;
   options.Components = impl.Input.Texels.Components;

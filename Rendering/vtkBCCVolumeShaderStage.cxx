@@ -4,9 +4,11 @@
 
 #include "vtkBCCCoefficientTexels.h"
 #include "vtkBCCVolumeFrame.h"
+#include "vtkBCCVolumeMask.h"
 #include "vtkBCCVolumeShaderText.h"
 
 #include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
@@ -50,7 +52,7 @@ bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
   const auto tie = [](const Options& o)
   {
     return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter,
-      o.LightComplexity, o.Mask, o.UserHash, o.Components);
+      o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.Components);
   };
   return tie(*this) == tie(other);
 }
@@ -159,6 +161,14 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
   const std::string declarations =
     Text::GetSpline(this->Current.Kernel, this->Current.Components, "in_volume[0]") +
     Text::GetRayCast(macros);
+  if (mapper->GetMaskInput())
+  {
+    after("//VTK::BinaryMask::Dec", Text::GetMask(this->Current.LatticeMask));
+  }
+  if (this->Renderer->GetSelector())
+  {
+    after("//VTK::Picking::Dec", Text::GetPicking(this->Current.LatticeMask));
+  }
   if (this->Current.RefineRoots)
   {
     after("//VTK::RenderToImage::Dec", Text::GetIsoSurfaceDeclarations() + Text::GetFindRoot());
@@ -191,6 +201,21 @@ bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
     fragment, "texture3D(in_volume[0], g_dataPos)", "BCCLookUp(g_dataPos)");
   // The differences that VTK takes where gradients are not analytic.
   vtkShaderProgram::Substitute(fragment, "texture3D(volume, vec3(", "BCCLookUp(vec3(");
+  vtkShaderProgram::Substitute(
+    fragment, "uvec3(in_textureExtentsMax - in_textureExtentsMin)", "BCCPickedCounts()");
+  // VTK counts from 1, as its selector once did.
+  vtkShaderProgram::Substitute(fragment, "voxelCoords.x + uint(1)", "voxelCoords.x");
+  vtkShaderProgram::Substitute(fragment, "uvec3(volumeDim * g_dataPos)",
+    this->Current.RefineRoots ? "BCCPicked(g_bccSurface)" : "BCCPicked(g_dataPos)");
+  if (fragment.find("vec3 BCCToEye(") != std::string::npos)
+  {
+    for (const std::string gradient : { "normal", "gradient.xyz" })
+    {
+      vtkShaderProgram::Substitute(fragment,
+        "(in_textureToEye[0] * vec4(" + gradient + ", 0.0)).xyz", "BCCToEye(" + gradient + ")");
+    }
+  }
+  vtkShaderProgram::Substitute(fragment, "texture3D(in_mask, g_dataPos)", "BCCMask(g_dataPos)");
   if (this->Current.BayerJitter)
   {
     vtkShaderProgram::Substitute(
@@ -241,13 +266,24 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   program->SetUniform3f("in_bccLow", frame.Low);
   program->SetUniform3f("in_bccHigh", frame.High);
   program->SetUniformi("in_bccCosetDepth", this->Texels->Size.z / 2);
-  if (program->IsUniformUsed("in_bccLatticePerUnit"))
+  if (program->IsUniformUsed("in_bccToGradient"))
   {
-    program->SetUniform3f("in_bccLatticePerUnit", frame.LatticePerUnit);
+    float toGradient[9];
+    frame.GetGradientMatrix(toGradient);
+    program->SetUniformMatrix3x3("in_bccToGradient", toGradient);
   }
   if (program->IsUniformUsed("in_bccNormalizer"))
   {
     program->SetUniformf("in_bccNormalizer", this->Normalizer);
+  }
+  if (program->IsUniformUsed("in_bccLatticePerUnit"))
+  {
+    program->SetUniform3f("in_bccLatticePerUnit", frame.LatticePerUnit);
+  }
+  if (program->IsUniformUsed("in_bccMaskMatrix"))
+  {
+    vtkBCCVolumeMask::SetUniforms(program, mapper->GetMaskInput(), frame,
+      vtkImageData::SafeDownCast(mapper->GetTransformedInput(0)));
   }
   if (program->IsUniformUsed("in_bccDepthOpacity"))
   {

@@ -48,6 +48,7 @@ public:
     // Of these VTK takes no notice by itself:
     int LightComplexity = 0;
     int Mask = -1; // its type, or -1
+    bool LatticeMask = false;
     std::size_t UserHash = 0;
     int Components = 1;
     bool operator==(const Options& other) const;

@@ -15,6 +15,9 @@
 #include "bccIsoSurfaceImpl_glsl.h"
 #include "bccIsoSurfaceInit_glsl.h"
 #include "bccIsoSurfaceTerminate_glsl.h"
+#include "bccMask_glsl.h"
+#include "bccNearest_glsl.h"
+#include "bccPicking_glsl.h"
 #include "bccRayCast_glsl.h"
 #include "bccVolume_glsl.h"
 
@@ -74,6 +77,19 @@ const char* const vtkBCCVolumeShaderText::JitterStatement = "g_rayJitter = g_dir
 std::string vtkBCCVolumeShaderText::GetBayerJitter()
 {
   return bayerJitter_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetMask(bool lattice)
+{
+  return (lattice ? Define("BCC_LATTICE_MASK", "1") + bccNearest_glsl : std::string()) +
+    bccMask_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetPicking(bool latticeMask)
+{
+  return (latticeMask ? std::string() : std::string(bccNearest_glsl)) + bccPicking_glsl;
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,12 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   static std::string GetBayerJitter();
   static const char* const JitterStatement;
 
+  /// Labels of a mask, which may be on a lattice.
+  static std::string GetMask(bool lattice);
+
+  /// Indices of picked samples, after GetMask if there is one.
+  static std::string GetPicking(bool latticeMask);
+
   /// FindRoot(), which needs a BCCDifference().
   static std::string GetFindRoot();
 

@@ -24,6 +24,7 @@ bool l_bccFirst;
 bool l_bccLast;
 float g_bccDepth; // of the window
 bool g_bccDepthTaken;
+vec3 g_bccSurface; // where that is
 
 // The component that has the largest weight.
 int BCCIsoComponent()
@@ -60,7 +61,7 @@ bool BCCIsVisible(vec3 texturePosition)
   visible = in_croppingFlags[computeRegion(croppingPlanesTexture, texturePosition)] != 0;
 #endif
 #ifdef BCC_BINARY_MASK
-  visible = visible && texture3D(in_mask, texturePosition).r > 0.0;
+  visible = visible && BCCMask(texturePosition).r > 0.0;
 #endif
   return visible;
 }
@@ -107,5 +108,6 @@ void BCCTakeDepth()
       (in_textureDatasetMatrix[0] * vec4(g_dataPos, 1.0))));
     g_bccDepth = 0.5 * (gl_DepthRange.diff * p.z / p.w + gl_DepthRange.near + gl_DepthRange.far);
     g_bccDepthTaken = true;
+    g_bccSurface = g_dataPos;
   }
 }

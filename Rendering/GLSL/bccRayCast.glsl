@@ -20,6 +20,15 @@ vec4 BCCLookUp(vec3 texturePosition)
 }
 
 #ifdef BCC_ANALYTIC_GRADIENTS
+uniform mat3 in_bccToGradient; // from derivatives along lattice coordinates to the volume's system
+
+// The direction of a gradient in the volume's own system as seen from the camera. VTK's lights need
+// it; it would take texture coordinates for it, and shade long boxes wrongly.
+vec3 BCCToEye(vec3 gradient)
+{
+  return transpose(mat3(in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix)) * gradient;
+}
+
 // VTK's function of this name takes differences. Here c is the component; the other arguments are
 // VTK's and always the same. The direction is that of the gradient in the volume's own system. With
 // gradient opacity it is a unit vector and w is the magnitude as VTK scales it: per average cell
@@ -33,7 +42,7 @@ vec4 computeGradient(in vec3 texPos, in int c, in sampler3D volume, in int index
 #else
   vec3 gradient = vec3(gx[c], gy[c], gz[c]);
 #endif
-  gradient *= in_bccLatticePerUnit;
+  gradient = in_bccToGradient * gradient;
 #ifdef BCC_GRADIENT_OPACITY
   vec3 edge = in_cellSpacing[0];
   float range = in_scalarsRange[c].y - in_scalarsRange[c].x;

@@ -6,7 +6,6 @@
 
 uniform vec3 in_bccLow; // the volume's box in lattice coordinates
 uniform vec3 in_bccHigh;
-uniform vec3 in_bccLatticePerUnit; // derivatives of lattice coordinates in the volume's own system
 uniform int in_bccCosetDepth;      // slices of one coset
 
 const int BCCHalo = 2;

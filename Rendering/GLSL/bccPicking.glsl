@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a hardware selection is told: the sample nearest to what is seen, whose index takes the place
+// of a cell's.
+
+uniform vec3 in_bccLatticePerUnit; // derivatives of lattice coordinates
+
+uvec3 BCCPickedCounts()
+{
+  vec3 size = in_bccHigh - in_bccLow + 1.0;
+  return uvec3(0.5 * size.xy, size.z);
+}
+
+uvec3 BCCPicked(vec3 texturePosition)
+{
+  return uvec3(
+    BCCNearest(BCCPosition(texturePosition), in_bccLow, in_bccHigh, in_bccLatticePerUnit));
+}
