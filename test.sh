@@ -5,23 +5,35 @@
 # Builds with warnings as errors and runs every test. Installs the packages it needs.
 #
 #   ./test.sh            everything
+#   ./test.sh paraview   the plugin, in ParaView itself: the last stage of everything
 #   ./test.sh sanitize   the core and filter tests under AddressSanitizer and
 #                        UndefinedBehaviorSanitizer
 set -euo pipefail
 cd "$(dirname "$0")"
 source Module/CMake/shell.sh
 
+# Builds a preset and runs its tests.
+run() {
+  bravais_build "$1"
+  bravais_say "Testing ($1)"
+  ctest --preset "$1" --parallel "$(nproc)"
+}
+
+bravais_install_packages
+bravais_start_display
 case "${1-}" in
-  "") preset=strict ;;
-  sanitize) preset=sanitize ;;
+  "")
+    run strict
+    bravais_fetch_paraview
+    run paraview
+    ;;
+  paraview)
+    bravais_fetch_paraview
+    run paraview
+    ;;
+  sanitize) run sanitize ;;
   *)
-    echo "Usage: $0 [sanitize]" >&2
+    echo "Usage: $0 [paraview|sanitize]" >&2
     exit 2
     ;;
 esac
-
-bravais_install_packages
-bravais_build "$preset"
-bravais_start_display
-bravais_say "Testing ($preset)"
-ctest --preset "$preset" --parallel "$(nproc)"

@@ -4,6 +4,7 @@
 
 #include "BayerPattern.h"
 #include "OrderedDither.h"
+#include "PieceRequest.h"
 #include "SliceLoop.h"
 
 #include "vtkDataArray.h"
@@ -140,19 +141,22 @@ int vtkOrderedDither::RequestInformation(
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_UNSIGNED_CHAR, -1);
   info->CopyEntry(inputVector[0]->GetInformationObject(0), vtkDataObject::DIRECTION());
+  info->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
   return 1;
 }
 
 //------------------------------------------------------------------------------
 int vtkOrderedDither::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  if (!this->HasInputRange() && info->Has(Pipeline::WHOLE_EXTENT()))
+  int extent[6];
+  bravais::GetPieceExtent(outputVector->GetInformationObject(0), extent);
+  if (!this->HasInputRange()) // The range is that of the whole, whatever piece is wanted.
   {
-    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+    vtkStreamingDemandDrivenPipeline::GetWholeExtent(info, extent);
   }
+  bravais::RequestExtent(info, extent);
   return 1;
 }
 

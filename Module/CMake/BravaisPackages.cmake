@@ -8,7 +8,7 @@ set(bravais_vtk_modules
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore IOImage IOXML ImagingCore RenderingCore RenderingOpenGL2 RenderingVolume
   RenderingVolumeOpenGL2 glew opengl vtksys)
-if (BRAVAIS_BUILD_TESTING)
+if (BRAVAIS_BUILD_TESTING AND NOT BRAVAIS_BUILD_PARAVIEW_PLUGIN)
   list(APPEND bravais_vtk_modules CommonMisc FiltersExtraction FiltersGeneral FiltersSources
     ImagingSources InteractionStyle RenderingFreeType TestingCore TestingRendering)
   find_package(GTest REQUIRED)
@@ -19,6 +19,13 @@ if (BRAVAIS_BUILD_EXAMPLES)
     ImagingMorphological InteractionStyle RenderingContext2D RenderingContextOpenGL2
     RenderingFreeType ViewsContext2D)
   find_package(CLI11 REQUIRED) # command lines
+endif ()
+if (BRAVAIS_BUILD_PARAVIEW_PLUGIN)
+  if (NOT Python3_EXECUTABLE AND EXISTS "/usr/bin/python3")
+    set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "ParaView's Python")
+  endif ()
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingViews) # brings its own VTK
+  list(APPEND bravais_vtk_modules FiltersSources)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${bravais_vtk_modules})
 

@@ -5,6 +5,7 @@
 # What demo.sh and test.sh share; sourced by them from the project's root folder.
 #
 #   bravais_install_packages [<package>...]  packages.txt and the named ones, those that are missing
+#   bravais_fetch_paraview                   ParaView, unpacked into build/paraview-packages
 #   bravais_start_display                    an X server of its own, stopped when the script ends
 #   bravais_build <preset> [<option>...]     configure and build a preset on all processors
 
@@ -36,6 +37,29 @@ bravais_install_packages() {
     bravais_as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
       --no-install-recommends "${missing[@]}" >/dev/null
   fi
+}
+
+# ParaView's Python package conflicts with VTK's, so that both cannot be installed: ParaView is only
+# unpacked, beside the libraries and Qt headers that it and its CMake package need.
+bravais_fetch_paraview() {
+  local packages wanted
+  packages=$PWD/build/paraview-packages
+  mapfile -t wanted <Module/ParaView/packages.txt
+  bravais_install_packages "${wanted[@]}"
+  [ -e "$packages/complete" ] && return
+  bravais_say "Fetching ParaView into $packages"
+  rm -rf "$packages"
+  mkdir -p "$packages/downloads"
+  local names=(paraview paraview-dev python3-paraview mricron-data) # the last has an MRI of a brain
+  (cd "$packages/downloads" &&
+    { apt-get -qq download "${names[@]}" 2>/dev/null ||
+      { bravais_as_root apt-get -qq update && apt-get -qq download "${names[@]}"; }; })
+  local file
+  for file in "$packages"/downloads/*.deb; do
+    dpkg-deb --extract "$file" "$packages"
+  done
+  rm -r "$packages/downloads"
+  touch "$packages/complete"
 }
 
 # Rendering goes to Mesa's software renderer, so that the pictures are the same everywhere.

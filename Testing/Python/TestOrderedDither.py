@@ -9,7 +9,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkImagingCore import vtkImageMapToColors, vtkImageTranslateExtent
 
 from bravais import vtkBayerPattern, vtkBCCLattice, vtkOrderedDither
-from checks import check_pieces, check_progress, check_threads, make_image, refuses, to_numpy
+from checks import (
+    check_numbered_pieces, check_pieces, check_progress, check_threads, make_image, refuses, to_numpy)
 
 TYPES = [np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64, np.uint64,
          np.float32, np.float64]
@@ -210,6 +211,7 @@ class TestOrderedDither(unittest.TestCase):
             for input_range in (0, 0), (10, 90):
                 algorithm = dither(image, 4, dimensionality, 2, input_range)
                 check_pieces(self, algorithm)
+                check_numbered_pieces(self, algorithm, 3)
                 check_threads(self, algorithm)
                 check_progress(self, algorithm)
 

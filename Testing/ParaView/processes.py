@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What TestProcesses runs by any number of processes: filters' output, and pictures of volumes.
+
+    mpirun -np 4 pvbatch --symmetric processes.py <folder>
+
+writes <filter>.<process>.npz and <picture>.png into the folder.
+"""
+import os
+import sys
+
+import numpy
+import views
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+views.load_plugin()
+folder = sys.argv[1]
+rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+os.environ["BRAVAIS_TEMPORARY"] = folder
+
+
+def keep(algorithm, name):
+    """Each process's piece of the output, and where it lies in the whole."""
+    algorithm.UpdatePipeline()
+    image = algorithm.GetClientSideObject().GetOutputDataObject(0)
+    scalars = image.GetPointData().GetScalars()
+    if scalars is not None:
+        values = vtk_to_numpy(scalars).reshape(image.GetDimensions()[::-1] + (-1,))
+        path = os.path.join(folder, f"{name}.{rank}.npz")
+        numpy.savez(path, extent=image.GetExtent(), values=values)
+
+
+source = simple.BCCVolumeSource(Dimensions=[20, 18, 37])
+keep(source, "BCCVolumeSource")
+keep(simple.BCCPrefilter(Input=source), "BCCPrefilter")
+for kernel in "bcc4, linear", "bcc7, quartic", "bcc8, quintic", "bcc12, tri-cubic":
+    keep(simple.BCCVolumeToImage(Input=source, Kernel=kernel), "BCCVolumeToImage" + kernel[:4])
+wavelet = simple.Wavelet(WholeExtent=[-10, 10, -9, 9, -8, 8])
+keep(simple.ImageToBCCVolume(Input=wavelet, Mode="Subset"), "ImageToBCCVolumeSubset")
+keep(simple.ImageToBCCVolume(Input=wavelet), "ImageToBCCVolume")
+keep(simple.OrderedDither(Input=wavelet, NumberOfLevels=4, InputRange=[37, 277]), "OrderedDither")
