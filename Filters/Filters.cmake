@@ -7,11 +7,11 @@ set(BRAVAIS_FILTERS
   vtkBCCPrefilter
   vtkBCCVolumeSource
   vtkBCCVolumeToImage
+  vtkBayerPattern
   vtkGeometryImageLocalityMask
   vtkGeometryImageSource
   vtkGeometryImageToPolyData
   vtkImageToBCCVolume
-  vtkBayerPattern
   vtkOrderedDither
   vtkRank1ImageReconstruct
   vtkRank1ImageResample
@@ -25,12 +25,11 @@ set(BRAVAIS_FILTERS_PRIVATE
   BCCResample
   BCCSplineVolume
   BCCSubset
-  GixelSurface
-  LayerSampler
-  Rank1Polygons
-  Rank1Resample
   CullVolume
   GeometryHierarchy
+  GixelSurface
   LayerSampler
   LocalityQuery
+  Rank1Polygons
+  Rank1Resample
 )
