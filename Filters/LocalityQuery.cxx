@@ -15,12 +15,13 @@ namespace bravais
 namespace
 {
 
-/// Writes 1 for those gixels of a leaf that are inside.
+/// Writes 1 for those gixels of a node that are inside.
 template <class F>
-void PaintGixels(const GixelOctree& tree, std::uint32_t leaf, const F& inside, std::uint8_t* mask)
+void PaintGixels(
+  const GixelOctree& tree, const OctreeNode& node, const F& inside, std::uint8_t* mask)
 {
-  const std::vector<std::uint32_t>& places = tree.GetLeaves().Gixels;
-  for (std::uint32_t n = places[leaf]; n < places[leaf + 1]; ++n)
+  const std::vector<std::uint32_t>& places = tree.GetLevel(node.Depth).Gixels;
+  for (std::uint32_t n = places[node.Index]; n < places[node.Index + 1]; ++n)
   {
     const std::uint32_t gixel = tree.GetGixels()[n];
     mask[gixel] = inside(gixel) ? 1 : 0;
@@ -31,11 +32,52 @@ void PaintGixels(const GixelOctree& tree, std::uint32_t leaf, const F& inside, s
 
 //------------------------------------------------------------------------------
 void LocalityQuery::Paint(
-  const GeometryHierarchy& hierarchy, int depth, std::uint32_t node, std::uint8_t* mask)
+  const GeometryHierarchy& hierarchy, const OctreeNode& node, std::uint8_t* mask)
 {
-  const MaskStore::Code code = hierarchy.GetMasks().Get(depth, node);
-  this->Size += static_cast<std::uint64_t>(code.End - code.Begin);
-  hierarchy.GetMasks().Paint(depth, node, mask);
+  // A code begins with what it skips, and its runs are long in large nodes only: a small node's
+  // gixels are written sooner one by one. Either way they are its mask's.
+  constexpr std::uint32_t few = 256;
+  const GixelOctree& tree = hierarchy.GetTree();
+  const std::vector<std::uint32_t>& places = tree.GetLevel(node.Depth).Gixels;
+  if (hierarchy.GetMasks().Has(node.Depth) && places[node.Index + 1] - places[node.Index] > few)
+  {
+    hierarchy.GetMasks().Paint(node.Depth, node.Index, mask);
+  }
+  else
+  {
+    PaintGixels(
+      tree, node, [](std::uint32_t) { return true; }, mask);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t LocalityQuery::GetSize(const GeometryHierarchy& hierarchy) const
+{
+  const GixelOctree& tree = hierarchy.GetTree();
+  std::uint64_t size = 0;
+  const auto add = [&](int depth, std::uint32_t node)
+  {
+    const MaskStore::Code code = hierarchy.GetMasks().Get(depth, node);
+    size += static_cast<std::uint64_t>(code.End - code.Begin);
+  };
+  for (const OctreeNode& node : this->Result.Inside)
+  {
+    if (hierarchy.GetMasks().Has(node.Depth))
+    {
+      add(node.Depth, node.Index);
+      continue;
+    }
+    const std::uint32_t end = tree.GetFirstLeaf(node.Depth, node.Index + 1);
+    for (std::uint32_t leaf = tree.GetFirstLeaf(node.Depth, node.Index); leaf < end; ++leaf)
+    {
+      add(tree.GetDepth(), leaf);
+    }
+  }
+  for (const std::uint32_t leaf : this->Result.Partly)
+  {
+    add(tree.GetDepth(), leaf);
+  }
+  return size;
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +124,6 @@ bool LocalityQuery::Execute(vtkAlgorithm* self, const GeometryHierarchy& hierarc
   this->Result.Inside.clear();
   this->Result.Partly.clear();
   this->Leaves = 0;
-  this->Size = 0;
   self->UpdateProgress(begin);
   const GixelOctree& tree = hierarchy.GetTree();
   if (!hierarchy.GetGrid())
@@ -110,39 +151,32 @@ bool LocalityQuery::Execute(vtkAlgorithm* self, const GeometryHierarchy& hierarc
   const int depth = tree.GetDepth();
   for (const OctreeNode& node : this->Result.Inside)
   {
-    if (hierarchy.GetMasks().Has(node.Depth))
-    {
-      this->Paint(hierarchy, node.Depth, node.Index, mask);
-      continue;
-    }
-    const std::uint32_t end = tree.GetFirstLeaf(node.Depth, node.Index + 1);
-    for (std::uint32_t leaf = tree.GetFirstLeaf(node.Depth, node.Index); leaf < end; ++leaf)
-    {
-      this->Paint(hierarchy, depth, leaf, mask);
-    }
+    this->Paint(hierarchy, node, mask);
   }
   self->UpdateProgress(0.2 * begin + 0.8);
-  for (const std::uint32_t leaf : this->Result.Partly)
+  for (std::size_t n = 0; n < this->Result.Partly.size(); ++n)
   {
+    const std::uint32_t leaf = this->Result.Partly[n];
     if (!refine)
     {
-      this->Paint(hierarchy, depth, leaf, mask);
+      this->Paint(hierarchy, { depth, leaf }, mask);
     }
     else if (!volume.Test)
     {
       PaintGixels(
-        tree, leaf, [&](std::uint32_t g) { return this->Inside[g] != 0; }, mask);
+        tree, { depth, leaf }, [&](std::uint32_t g) { return this->Inside[g] != 0; }, mask);
     }
     else
     {
+      const std::uint64_t pending = this->Result.Pending[n];
       const auto inside = [&](std::uint32_t gixel)
       {
         glm::dvec3 x;
         gixels.GetPoint(gixel, &x.x);
         return volume.Function ? volume.Function->FunctionValue(&x.x) < 0.0
-                               : volume.Test->Contains(x);
+                               : volume.Test->Contains(x, pending);
       };
-      PaintGixels(tree, leaf, inside, mask);
+      PaintGixels(tree, { depth, leaf }, inside, mask);
     }
   }
   self->UpdateProgress(1.0);

@@ -26,17 +26,19 @@ public:
     const CullVolume& volume, bool refine, double begin, std::uint8_t* mask);
 
   std::uint64_t GetNumberOfLeaves() const { return this->Leaves; }
-  std::uint64_t GetSize() const { return this->Size; } // compressed bytes of the masks united
+
+  /// Compressed bytes of the masks of the nodes that were met, of the leaves below where a node has
+  /// none.
+  std::uint64_t GetSize(const GeometryHierarchy& hierarchy) const;
 
 private:
   bool FindLeaves(vtkAlgorithm* self, const GeometryHierarchy& hierarchy, const GixelView& gixels,
     vtkImplicitFunction* function, double begin);
-  void Paint(const GeometryHierarchy& hierarchy, int depth, std::uint32_t node, std::uint8_t* mask);
+  void Paint(const GeometryHierarchy& hierarchy, const OctreeNode& node, std::uint8_t* mask);
 
   CullResult Result;
   std::vector<std::uint8_t> Inside; // of each gixel, where only gixels can be asked
   std::uint64_t Leaves = 0;
-  std::uint64_t Size = 0;
 };
 
 } // namespace bravais

@@ -205,6 +205,8 @@ int vtkGeometryImageLocalityMask::RequestData(vtkInformation* vtkNotUsed(request
       return stop(why);
     }
     own.HierarchyTime.Modified();
+    own.Image = vtkSmartPointer<vtkImageData>::New();
+    own.Image->ShallowCopy(input);
   }
   if (other && !this->CullFunction && !this->Camera)
   {
@@ -232,8 +234,6 @@ int vtkGeometryImageLocalityMask::RequestData(vtkInformation* vtkNotUsed(request
     return stop("");
   }
   own.Mask = mask;
-  own.Image = vtkSmartPointer<vtkImageData>::New();
-  own.Image->ShallowCopy(input);
   output->ShallowCopy(input);
   output->GetPointData()->AddArray(mask);
   int extent[6];
@@ -288,7 +288,8 @@ vtkIdType vtkGeometryImageLocalityMask::GetNumberOfExceptions()
 //------------------------------------------------------------------------------
 vtkIdType vtkGeometryImageLocalityMask::GetVisibleSize()
 {
-  return static_cast<vtkIdType>(this->Internal->Query.GetSize());
+  const Internals& own = *this->Internal;
+  return own.Hierarchy.IsEmpty() ? 0 : static_cast<vtkIdType>(own.Query.GetSize(own.Hierarchy));
 }
 
 //------------------------------------------------------------------------------
