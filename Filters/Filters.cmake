@@ -12,6 +12,8 @@ set(BRAVAIS_FILTERS
   vtkGeometryImageSource
   vtkGeometryImageToPolyData
   vtkImageToBCCVolume
+  vtkOIIOImageReader
+  vtkOIIOImageWriter
   vtkOrderedDither
   vtkRank1ImageReconstruct
   vtkRank1ImageResample
@@ -30,6 +32,12 @@ set(BRAVAIS_FILTERS_PRIVATE
   GixelSurface
   LayerSampler
   LocalityQuery
+  OIIOChannels
+  OIIOImageFile
+  OIIOImageFiller
+  OIIOImageSink
+  OIIOMetadata
   Rank1Polygons
   Rank1Resample
+  WholeJPEG
 )
