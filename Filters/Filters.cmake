@@ -18,6 +18,8 @@ set(BRAVAIS_FILTERS
   vtkRank1ImageReconstruct
   vtkRank1ImageResample
   vtkRank1ImageToPolyData
+  vtkRank1TexturePyramid
+  vtkRank1TextureSampler
 )
 
 # What they are made of and nobody else needs, one name a line for <Name>.h and <Name>.cxx.
@@ -37,7 +39,9 @@ set(BRAVAIS_FILTERS_PRIVATE
   OIIOImageFiller
   OIIOImageSink
   OIIOMetadata
+  Rank1Levels
   Rank1Polygons
   Rank1Resample
+  Rank1Texels
   WholeJPEG
 )

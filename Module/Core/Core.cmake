@@ -52,6 +52,7 @@ set(BRAVAIS_CORE_HEADERS
   Rank1Interpolation
   Rank1Level
   Rank1LookUp
+  Rank1Sampling
   RoundTo
 )
 

@@ -87,10 +87,12 @@ PlanesTest::PlanesTest(std::vector<Plane> planes)
 //------------------------------------------------------------------------------
 Overlap PlanesTest::Classify(const Box& cell, std::uint64_t& pending) const
 {
+  constexpr std::size_t noted = 64; // planes beyond these are tested again in each cell
   bool inside = true;
   for (std::size_t n = 0; n < this->Planes.size(); ++n)
   {
-    if (!IsPending(n, pending))
+    const std::uint64_t bit = n < noted ? std::uint64_t{ 1 } << n : 0;
+    if (bit && !(pending & bit))
     {
       continue; // an ancestor is on the inner side
     }
@@ -102,7 +104,7 @@ Overlap PlanesTest::Classify(const Box& cell, std::uint64_t& pending) const
     }
     if (Evaluate(plane, GetCorner(cell, plane.Normal)) < -tolerance)
     {
-      pending &= ~(n < Noted ? std::uint64_t{ 1 } << n : 0);
+      pending &= ~bit;
     }
     else
     {
@@ -113,16 +115,10 @@ Overlap PlanesTest::Classify(const Box& cell, std::uint64_t& pending) const
 }
 
 //------------------------------------------------------------------------------
-bool PlanesTest::Contains(const glm::dvec3& point, std::uint64_t pending) const
+bool PlanesTest::Contains(const glm::dvec3& point) const
 {
-  for (std::size_t n = 0; n < this->Planes.size(); ++n)
-  {
-    if (IsPending(n, pending) && !(Evaluate(this->Planes[n], point) < 0.0))
-    {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(this->Planes.begin(), this->Planes.end(),
+    [&](const Plane& plane) { return Evaluate(plane, point) < 0.0; });
 }
 
 //------------------------------------------------------------------------------
@@ -147,7 +143,7 @@ Overlap SphereTest::Classify(const Box& cell, std::uint64_t& /*pending*/) const
 }
 
 //------------------------------------------------------------------------------
-bool SphereTest::Contains(const glm::dvec3& point, std::uint64_t /*pending*/) const
+bool SphereTest::Contains(const glm::dvec3& point) const
 {
   const glm::dvec3 d = point - this->Center;
   return d.x * d.x + d.y * d.y + d.z * d.z - this->Square < 0.0;
@@ -213,7 +209,7 @@ Overlap EllipsoidTest::Classify(const Box& cell, std::uint64_t& /*pending*/) con
 }
 
 //------------------------------------------------------------------------------
-bool EllipsoidTest::Contains(const glm::dvec3& point, std::uint64_t /*pending*/) const
+bool EllipsoidTest::Contains(const glm::dvec3& point) const
 {
   return this->GetValue(point) < 0.0;
 }
@@ -244,7 +240,7 @@ Overlap BoxTest::Classify(const Box& cell, std::uint64_t& /*pending*/) const
 }
 
 //------------------------------------------------------------------------------
-bool BoxTest::Contains(const glm::dvec3& point, std::uint64_t /*pending*/) const
+bool BoxTest::Contains(const glm::dvec3& point) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
