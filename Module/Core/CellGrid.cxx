@@ -101,7 +101,7 @@ CellGrid::CellGrid(const glm::dvec3& corner, double edge, int depth)
   {
     for (int cell = 0; cell <= 1 << depth; ++cell)
     {
-      this->Boundaries[static_cast<std::size_t>(axis)].push_back(this->FindBoundary(axis, cell));
+      this->Boundaries.push_back(this->FindBoundary(axis, cell));
     }
   }
 }

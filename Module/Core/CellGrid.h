@@ -5,7 +5,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -53,13 +52,14 @@ public:
   Box GetBox(const glm::ivec3& cell, int depth) const
   {
     const int shift = this->Depth - depth;
-    Box box;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const std::vector<double>& at = this->Boundaries[static_cast<std::size_t>(axis)];
-      box.Low[axis] = at[static_cast<std::size_t>(cell[axis]) << shift];
-      box.High[axis] = at[static_cast<std::size_t>(cell[axis] + 1) << shift];
-    }
+    const std::size_t faces = (std::size_t{ 1 } << this->Depth) + 1;
+    const double* x = this->Boundaries.data();
+    const double* y = x + faces;
+    const double* z = y + faces;
+    const glm::ivec3 low(cell.x << shift, cell.y << shift, cell.z << shift);
+    const int width = 1 << shift;
+    const Box box{ { x[low.x], y[low.y], z[low.z] },
+      { x[low.x + width], y[low.y + width], z[low.z + width] } };
     return box;
   }
 
@@ -72,7 +72,7 @@ private:
   glm::dvec3 Corner;
   double Edge;
   int Depth;
-  std::array<std::vector<double>, 3> Boundaries; // 2^depth + 1 of each axis
+  std::vector<double> Boundaries; // 2^depth + 1 of each axis
 };
 
 /// Morton code of cell coordinates up to 10 bits, and back.

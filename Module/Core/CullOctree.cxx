@@ -100,6 +100,7 @@ void CullOctree(
 {
   result.Inside.clear();
   result.Partly.clear();
+  result.Pending.clear();
   Visits visits(tree);
   for (Visit visit; visits.Next(visit);)
   {
@@ -112,6 +113,7 @@ void CullOctree(
     else if (overlap == Overlap::Partly && visit.Node.Depth == tree.GetDepth())
     {
       result.Partly.push_back(visit.Node.Index);
+      result.Pending.push_back(visit.Pending);
     }
     else if (overlap == Overlap::Partly)
     {
@@ -151,7 +153,7 @@ Overlap LeavesTest::Classify(const Box& cell, std::uint64_t& /*pending*/) const
 }
 
 //------------------------------------------------------------------------------
-bool LeavesTest::Contains(const glm::dvec3& point) const
+bool LeavesTest::Contains(const glm::dvec3& point, std::uint64_t /*pending*/) const
 {
   const std::vector<std::uint32_t>& codes = this->Tree.GetLeaves().Codes;
   return std::binary_search(codes.begin(), codes.end(), this->Grid.GetCode(point));

@@ -26,6 +26,7 @@ struct CullResult
 {
   std::vector<OctreeNode> Inside;
   std::vector<std::uint32_t> Partly;
+  std::vector<std::uint64_t> Pending; // what the test left of each of these
 };
 
 /// Tests the octree's cells from the root down; the search ends at cells inside and outside.
@@ -41,7 +42,7 @@ class LeavesTest : public VolumeTest
 public:
   LeavesTest(const GixelOctree& tree, const CellGrid& grid);
   Overlap Classify(const Box& cell, std::uint64_t& pending) const override;
-  bool Contains(const glm::dvec3& point) const override;
+  bool Contains(const glm::dvec3& point, std::uint64_t pending = AllPending) const override;
 
 private:
   const GixelOctree& Tree;
@@ -55,7 +56,10 @@ class SegmentTest : public VolumeTest
 public:
   SegmentTest(const glm::dvec3& from, const glm::dvec3& to);
   Overlap Classify(const Box& cell, std::uint64_t& pending) const override;
-  bool Contains(const glm::dvec3& /*point*/) const override { return false; }
+  bool Contains(const glm::dvec3& /*point*/, std::uint64_t /*pending*/) const override
+  {
+    return false;
+  }
 
   /// Whether the line meets a closed box before a part of its length.
   bool Meets(const Box& box, double before) const;

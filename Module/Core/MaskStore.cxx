@@ -32,7 +32,6 @@ void MaskStore::Encode(const GixelOctree& tree, int depth)
   const GixelOctree::Level& nodes = tree.GetLevel(depth);
   Level& level = this->Levels[static_cast<std::size_t>(depth)];
   level.Index.reserve(nodes.GetSize());
-  std::vector<std::uint8_t> other;
   for (std::size_t node = 0; node < nodes.GetSize(); ++node)
   {
     const std::uint32_t* places = gixels.data() + nodes.Gixels[node];
@@ -42,16 +41,11 @@ void MaskStore::Encode(const GixelOctree& tree, int depth)
     if (this->Format == Encoding::Roaring)
     {
       AppendRoaringCode(places, count, level.Bytes);
-      other.clear();
-      AppendRunLengthCode(places, count, this->Gixels, other);
-      exception = other.size() < level.Bytes.size() - begin;
-      if (exception)
-      {
-        level.Bytes.resize(begin);
-        level.Bytes.insert(level.Bytes.end(), other.begin(), other.end());
-      }
+      exception =
+        GetRunLengthSize(places, count, this->Gixels) < std::uint64_t{ level.Bytes.size() - begin };
+      level.Bytes.resize(exception ? begin : level.Bytes.size());
     }
-    else
+    if (exception || this->Format == Encoding::RunLength)
     {
       AppendRunLengthCode(places, count, this->Gixels, level.Bytes);
     }

@@ -51,10 +51,18 @@ std::uint32_t ReadNumber(const std::uint8_t*& code)
   }
 }
 
-void AppendShort(std::uint32_t number, std::vector<std::uint8_t>& code)
+/// Writes 16 bits and steps on.
+void WriteShort(std::uint32_t number, std::uint8_t*& out)
 {
-  code.push_back(static_cast<std::uint8_t>(number & 0xff));
-  code.push_back(static_cast<std::uint8_t>(number >> 8 & 0xff));
+  *out++ = static_cast<std::uint8_t>(number & 0xff);
+  *out++ = static_cast<std::uint8_t>(number >> 8 & 0xff);
+}
+
+/// Room for so many bytes more, all 0.
+std::uint8_t* Extend(std::vector<std::uint8_t>& code, std::size_t bytes)
+{
+  code.resize(code.size() + bytes);
+  return code.data() + code.size() - bytes;
 }
 
 std::uint16_t ReadShort(const std::uint8_t* code)
@@ -95,12 +103,13 @@ void AppendContainer(const std::uint32_t* places, std::size_t count, std::uint32
   {
     AppendNumber(skipped << 2 | Runs, code);
     AppendNumber(runs - 1, code);
+    std::uint8_t* out = Extend(code, smallest);
     for (std::size_t first = 0, n = 1; n <= count; ++n)
     {
       if (n == count || places[n] != places[n - 1] + 1)
       {
-        AppendShort(places[first], code);
-        AppendShort(static_cast<std::uint32_t>(n - 1 - first), code);
+        WriteShort(places[first], out);
+        WriteShort(static_cast<std::uint32_t>(n - 1 - first), out);
         first = n;
       }
     }
@@ -109,19 +118,19 @@ void AppendContainer(const std::uint32_t* places, std::size_t count, std::uint32
   {
     AppendNumber(skipped << 2 | Places, code);
     AppendNumber(static_cast<std::uint32_t>(count) - 1, code);
+    std::uint8_t* out = Extend(code, smallest);
     for (std::size_t n = 0; n < count; ++n)
     {
-      AppendShort(places[n], code);
+      WriteShort(places[n], out);
     }
   }
   else
   {
     AppendNumber(skipped << 2 | Bits, code);
-    const std::size_t start = code.size();
-    code.resize(start + BitsSize);
+    std::uint8_t* out = Extend(code, BitsSize);
     for (std::size_t n = 0; n < count; ++n)
     {
-      std::uint8_t& byte = code[start + (places[n] & BlockMask) / 8];
+      std::uint8_t& byte = out[(places[n] & BlockMask) / 8];
       byte = static_cast<std::uint8_t>(byte | 1U << places[n] % 8);
     }
   }

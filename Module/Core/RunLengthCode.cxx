@@ -16,15 +16,14 @@ namespace
 
 constexpr std::uint64_t LongestRun = 0xffff;
 
-/// Collects equal bytes and writes them as runs.
+/// Collects equal bytes and writes them as runs, or only counts what it would write.
 class RunWriter
 {
 public:
-  explicit RunWriter(std::vector<std::uint8_t>& code)
+  explicit RunWriter(std::vector<std::uint8_t>* code)
     : Code(code)
   {
   }
-  ~RunWriter() { this->Flush(); }
   RunWriter(const RunWriter&) = delete;
   void operator=(const RunWriter&) = delete;
 
@@ -32,33 +31,91 @@ public:
   {
     if (byte != this->Byte)
     {
-      this->Flush();
+      this->EndRun();
       this->Byte = byte;
     }
     this->Count += count;
   }
 
+  /// To be called at the end; how many bytes the code has.
+  std::uint64_t Finish()
+  {
+    this->EndRun();
+    this->Flush();
+    return this->Written;
+  }
+
 private:
-  void Flush()
+  void EndRun()
   {
     for (; this->Count > 1; this->Count -= std::min(this->Count, LongestRun))
     {
       const std::uint64_t run = std::min(this->Count, LongestRun);
-      this->Code.insert(this->Code.end(),
-        { this->Byte, this->Byte, static_cast<std::uint8_t>(run & 0xff),
-          static_cast<std::uint8_t>(run >> 8) });
+      this->Write(this->Byte);
+      this->Write(this->Byte);
+      this->Write(static_cast<std::uint8_t>(run & 0xff));
+      this->Write(static_cast<std::uint8_t>(run >> 8));
     }
     if (this->Count)
     {
-      this->Code.push_back(this->Byte);
+      this->Write(this->Byte);
     }
     this->Count = 0;
   }
 
-  std::vector<std::uint8_t>& Code;
+  void Write(std::uint8_t byte)
+  {
+    if (this->Held == this->Buffer.size())
+    {
+      this->Flush();
+    }
+    this->Buffer[this->Held++] = byte;
+  }
+
+  void Flush()
+  {
+    if (this->Code)
+    {
+      this->Code->insert(
+        this->Code->end(), this->Buffer.begin(), this->Buffer.begin() + this->Held);
+    }
+    this->Written += this->Held;
+    this->Held = 0;
+  }
+
+  std::vector<std::uint8_t>* Code;
+  std::array<std::uint8_t, 512> Buffer;
+  std::uint32_t Held = 0;
+  std::uint64_t Written = 0;
   std::uint8_t Byte = 0;
   std::uint64_t Count = 0;
 };
+
+/// The mask of gixels whose places are given in ascending order.
+void AddPlaces(
+  const std::uint32_t* places, std::size_t count, std::uint64_t gixels, RunWriter& writer)
+{
+  std::uint64_t next = 0; // the byte that is to be written next
+  for (std::size_t n = 0; n < count;)
+  {
+    const std::uint64_t at = places[n] / 8;
+    unsigned int byte = 0;
+    for (; n < count && places[n] / 8 == at; ++n)
+    {
+      byte |= 1U << places[n] % 8;
+    }
+    if (at > next)
+    {
+      writer.Add(0, at - next);
+    }
+    writer.Add(static_cast<std::uint8_t>(byte), 1);
+    next = at + 1;
+  }
+  if (GetMaskSize(gixels) > next)
+  {
+    writer.Add(0, GetMaskSize(gixels) - next);
+  }
+}
 
 /// The next run of a code, and where the one after it begins.
 struct Run
@@ -131,38 +188,29 @@ void PaintRun(const Run& run, std::uint64_t place, std::uint64_t gixels, std::ui
 void AppendRunLengthCode(
   const std::uint8_t* bytes, std::uint64_t size, std::vector<std::uint8_t>& code)
 {
-  RunWriter writer(code);
+  RunWriter writer(&code);
   for (std::uint64_t place = 0; place < size; ++place)
   {
     writer.Add(bytes[place], 1);
   }
+  writer.Finish();
 }
 
 //------------------------------------------------------------------------------
 void AppendRunLengthCode(const std::uint32_t* places, std::size_t count, std::uint64_t gixels,
   std::vector<std::uint8_t>& code)
 {
-  RunWriter writer(code);
-  std::uint64_t next = 0; // the byte that is to be written next
-  for (std::size_t n = 0; n < count;)
-  {
-    const std::uint64_t at = places[n] / 8;
-    unsigned int byte = 0;
-    for (; n < count && places[n] / 8 == at; ++n)
-    {
-      byte |= 1U << places[n] % 8;
-    }
-    if (at > next)
-    {
-      writer.Add(0, at - next);
-    }
-    writer.Add(static_cast<std::uint8_t>(byte), 1);
-    next = at + 1;
-  }
-  if (GetMaskSize(gixels) > next)
-  {
-    writer.Add(0, GetMaskSize(gixels) - next);
-  }
+  RunWriter writer(&code);
+  AddPlaces(places, count, gixels, writer);
+  writer.Finish();
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t GetRunLengthSize(const std::uint32_t* places, std::size_t count, std::uint64_t gixels)
+{
+  RunWriter writer(nullptr);
+  AddPlaces(places, count, gixels, writer);
+  return writer.Finish();
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,10 @@ void AppendRunLengthCode(
 void AppendRunLengthCode(const std::uint32_t* places, std::size_t count, std::uint64_t gixels,
   std::vector<std::uint8_t>& code);
 
+/// How many bytes that code has.
+std::uint64_t GetRunLengthSize(
+  const std::uint32_t* places, std::size_t count, std::uint64_t gixels);
+
 /// The bytes; none if the code is not one of `size` bytes.
 std::optional<std::vector<std::uint8_t>> DecodeRunLength(
   const std::uint8_t* code, std::size_t codeSize, std::uint64_t size);

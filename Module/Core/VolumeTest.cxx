@@ -87,12 +87,10 @@ PlanesTest::PlanesTest(std::vector<Plane> planes)
 //------------------------------------------------------------------------------
 Overlap PlanesTest::Classify(const Box& cell, std::uint64_t& pending) const
 {
-  constexpr std::size_t noted = 64; // planes beyond these are tested again in each cell
   bool inside = true;
   for (std::size_t n = 0; n < this->Planes.size(); ++n)
   {
-    const std::uint64_t bit = n < noted ? std::uint64_t{ 1 } << n : 0;
-    if (bit && !(pending & bit))
+    if (!IsPending(n, pending))
     {
       continue; // an ancestor is on the inner side
     }
@@ -104,7 +102,7 @@ Overlap PlanesTest::Classify(const Box& cell, std::uint64_t& pending) const
     }
     if (Evaluate(plane, GetCorner(cell, plane.Normal)) < -tolerance)
     {
-      pending &= ~bit;
+      pending &= ~(n < Noted ? std::uint64_t{ 1 } << n : 0);
     }
     else
     {
@@ -115,10 +113,16 @@ Overlap PlanesTest::Classify(const Box& cell, std::uint64_t& pending) const
 }
 
 //------------------------------------------------------------------------------
-bool PlanesTest::Contains(const glm::dvec3& point) const
+bool PlanesTest::Contains(const glm::dvec3& point, std::uint64_t pending) const
 {
-  return std::all_of(this->Planes.begin(), this->Planes.end(),
-    [&](const Plane& plane) { return Evaluate(plane, point) < 0.0; });
+  for (std::size_t n = 0; n < this->Planes.size(); ++n)
+  {
+    if (IsPending(n, pending) && !(Evaluate(this->Planes[n], point) < 0.0))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -143,7 +147,7 @@ Overlap SphereTest::Classify(const Box& cell, std::uint64_t& /*pending*/) const
 }
 
 //------------------------------------------------------------------------------
-bool SphereTest::Contains(const glm::dvec3& point) const
+bool SphereTest::Contains(const glm::dvec3& point, std::uint64_t /*pending*/) const
 {
   const glm::dvec3 d = point - this->Center;
   return d.x * d.x + d.y * d.y + d.z * d.z - this->Square < 0.0;
@@ -209,7 +213,7 @@ Overlap EllipsoidTest::Classify(const Box& cell, std::uint64_t& /*pending*/) con
 }
 
 //------------------------------------------------------------------------------
-bool EllipsoidTest::Contains(const glm::dvec3& point) const
+bool EllipsoidTest::Contains(const glm::dvec3& point, std::uint64_t /*pending*/) const
 {
   return this->GetValue(point) < 0.0;
 }
@@ -240,7 +244,7 @@ Overlap BoxTest::Classify(const Box& cell, std::uint64_t& /*pending*/) const
 }
 
 //------------------------------------------------------------------------------
-bool BoxTest::Contains(const glm::dvec3& point) const
+bool BoxTest::Contains(const glm::dvec3& point, std::uint64_t /*pending*/) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -36,7 +36,10 @@ public:
 
   virtual ~VolumeTest() = default;
   virtual Overlap Classify(const Box& cell, std::uint64_t& pending) const = 0;
-  virtual bool Contains(const glm::dvec3& point) const = 0;
+
+  /// Whether a point is in the volume; of one in a cell that was classified, with what that left
+  /// pending, only this is asked.
+  virtual bool Contains(const glm::dvec3& point, std::uint64_t pending = AllPending) const = 0;
 };
 
 /// The largest of normal . (x - origin) + offset is negative: a polyhedron. Cells outside of one
@@ -55,9 +58,17 @@ public:
 
   explicit PlanesTest(std::vector<Plane> planes);
   Overlap Classify(const Box& cell, std::uint64_t& pending) const override;
-  bool Contains(const glm::dvec3& point) const override;
+  bool Contains(const glm::dvec3& point, std::uint64_t pending = AllPending) const override;
 
 private:
+  static constexpr std::size_t Noted = 64; // planes beyond these are tested again in each cell
+
+  /// Whether the plane of a number has still to be tested, and the bit of Pending that says so.
+  static bool IsPending(std::size_t plane, std::uint64_t pending)
+  {
+    return plane >= Noted || (pending >> plane & 1);
+  }
+
   std::vector<Plane> Planes;
 };
 
@@ -67,7 +78,7 @@ class SphereTest : public VolumeTest
 public:
   SphereTest(const glm::dvec3& center, double radius);
   Overlap Classify(const Box& cell, std::uint64_t& pending) const override;
-  bool Contains(const glm::dvec3& point) const override;
+  bool Contains(const glm::dvec3& point, std::uint64_t pending = AllPending) const override;
 
 private:
   glm::dvec3 Center;
@@ -80,7 +91,7 @@ class EllipsoidTest : public VolumeTest
 public:
   EllipsoidTest(const glm::dmat3& matrix, const glm::dvec3& shift, double radius);
   Overlap Classify(const Box& cell, std::uint64_t& pending) const override;
-  bool Contains(const glm::dvec3& point) const override;
+  bool Contains(const glm::dvec3& point, std::uint64_t pending = AllPending) const override;
 
 private:
   double GetValue(const glm::dvec3& point) const;
@@ -97,7 +108,7 @@ class BoxTest : public VolumeTest
 public:
   explicit BoxTest(const Box& box);
   Overlap Classify(const Box& cell, std::uint64_t& pending) const override;
-  bool Contains(const glm::dvec3& point) const override;
+  bool Contains(const glm::dvec3& point, std::uint64_t pending = AllPending) const override;
 
 private:
   Box Bounds;
