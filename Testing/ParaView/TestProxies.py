@@ -27,6 +27,11 @@ def make_input(name):
     """What a filter of that name is for."""
     if name in ("BCCPrefilter", "BCCVolumeToImage"):
         return simple.BCCVolumeSource(Dimensions=[8, 8, 16])
+    if name.startswith("GeometryImage"):
+        return simple.GeometryImageSource(Dimensions=[17, 17])
+    if name.startswith("Rank1"):
+        picture = simple.Wavelet(WholeExtent=[-5, 5, -5, 5, 0, 0])
+        return picture if name == "Rank1ImageResample" else simple.Rank1ImageResample(Input=picture)
     return simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
 
 

@@ -21,11 +21,12 @@ rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
 os.environ["BRAVAIS_TEMPORARY"] = folder
 
 
-def keep(algorithm, name):
+def keep(algorithm, name, array=None):
     """Each process's piece of the output, and where it lies in the whole."""
     algorithm.UpdatePipeline()
     image = algorithm.GetClientSideObject().GetOutputDataObject(0)
-    scalars = image.GetPointData().GetScalars()
+    data = image.GetPointData()
+    scalars = data.GetArray(array) if array else data.GetScalars()
     if scalars is not None:
         values = vtk_to_numpy(scalars).reshape(image.GetDimensions()[::-1] + (-1,))
         path = os.path.join(folder, f"{name}.{rank}.npz")
@@ -41,3 +42,12 @@ wavelet = simple.Wavelet(WholeExtent=[-10, 10, -9, 9, -8, 8])
 keep(simple.ImageToBCCVolume(Input=wavelet, Mode="Subset"), "ImageToBCCVolumeSubset")
 keep(simple.ImageToBCCVolume(Input=wavelet), "ImageToBCCVolume")
 keep(simple.OrderedDither(Input=wavelet, NumberOfLevels=4, InputRange=[37, 277]), "OrderedDither")
+picture = simple.Wavelet(WholeExtent=[-10, 10, -9, 9, 0, 0])
+rank1 = simple.Rank1ImageResample(Input=picture, Tiles=[2, 2])
+keep(rank1, "Rank1ImageResample")
+keep(simple.Rank1ImageReconstruct(Input=rank1, OutputDimensions=[40, 30]), "Rank1ImageReconstruct")
+torus = simple.GeometryImageSource(Shape="Torus", Dimensions=[33, 33])
+keep(torus, "GeometryImageSource", "Points")
+mask = simple.GeometryImageLocalityMask(Input=torus)
+mask.CullFunction = "Sphere"
+keep(mask, "GeometryImageLocalityMask", "LocalityMask")
