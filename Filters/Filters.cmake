@@ -15,6 +15,7 @@ set(BRAVAIS_FILTERS
   vtkOIIOImageReader
   vtkOIIOImageWriter
   vtkOrderedDither
+  vtkPolyDataToGeometryImage
   vtkRank1ImageReconstruct
   vtkRank1ImageResample
   vtkRank1ImageToPolyData
@@ -34,6 +35,7 @@ set(BRAVAIS_FILTERS_PRIVATE
   GixelSurface
   LayerSampler
   LocalityQuery
+  MeshSamples
   OIIOChannels
   OIIOImageFile
   OIIOImageFiller

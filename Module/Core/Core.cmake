@@ -22,9 +22,16 @@ set(BRAVAIS_CORE
   BitMask
   CellGrid
   ChirpTransform
+  CullOctree
+  DiskRim
+  FoldedCut
   GixelLevel
   GixelNormals
+  GixelOctree
+  GixelSampling
   GixelTriangles
+  MaskStore
+  MeshLayout
   MirrorTransform
   OrderedDither
   ParametricSurface
@@ -32,15 +39,16 @@ set(BRAVAIS_CORE
   Rank1Lattice
   Rank1Resampler
   Rank1Search
-  CullOctree
-  GixelOctree
-  MaskStore
-  MirrorTransform
-  OrderedDither
-  ParametricSurface
   RoaringCode
   RunLengthCode
+  SpringEmbedding
+  StretchDescent
+  StretchRelaxation
+  SurfaceParameters
+  SurfaceParametrization
+  TriangleCleaning
   TriangleSearch
+  TriangleTopology
   VolumeTest
 )
 
@@ -49,6 +57,7 @@ set(BRAVAIS_CORE_HEADERS
   BoxSpline
   CellCoverage
   FindRoot
+  FoldedSquare
   Rank1Interpolation
   Rank1Level
   Rank1LookUp

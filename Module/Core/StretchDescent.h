@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef StretchDescent_h
+#define StretchDescent_h
+
+#include "SurfaceParameters.h"
+
+#include <memory>
+#include <vector>
+
+namespace bravais
+{
+
+/// Lessens the stretch by moving all free vertices at once.
+class StretchDescent
+{
+public:
+  StretchDescent(const TriangleTopology& mesh, const std::vector<TriangleShape>& shapes,
+    const SurfaceParameters& parameters);
+  ~StretchDescent();
+
+  /// So many steps of the limited-memory BFGS method, whose first guess of the second derivatives
+  /// is a Laplacian of the plane weighted by each triangle's stretch. Steps are shortened until the
+  /// stretch falls, so no triangle is ever turned over. Returns how much of the stretch, as a
+  /// part of it, was removed.
+  double Descend(int steps, SurfaceParameters& parameters);
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Members;
+};
+
+} // namespace bravais
+
+#endif

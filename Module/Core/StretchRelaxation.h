@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef StretchRelaxation_h
+#define StretchRelaxation_h
+
+#include "SurfaceParameters.h"
+
+#include <vector>
+
+namespace bravais
+{
+
+/// Moves each free vertex in turn to where the stretch of the triangles round it is least, by one
+/// Newton step that is halved until the stretch falls. No triangle is ever turned over. Returns the
+/// sum of the stretch that was removed.
+double RelaxStretch(const TriangleTopology& mesh, const std::vector<TriangleShape>& shapes,
+  SurfaceParameters& parameters);
+
+} // namespace bravais
+
+#endif
