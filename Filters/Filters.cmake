@@ -9,8 +9,10 @@ set(BRAVAIS_FILTERS
   vtkBCCVolumeToImage
   vtkBayerPattern
   vtkGeometryImageLocalityMask
+  vtkGeometryImageReader
   vtkGeometryImageSource
   vtkGeometryImageToPolyData
+  vtkGeometryImageWriter
   vtkImageToBCCVolume
   vtkOIIOImageReader
   vtkOIIOImageWriter
@@ -31,7 +33,9 @@ set(BRAVAIS_FILTERS_PRIVATE
   BCCSplineVolume
   BCCSubset
   CullVolume
+  FloatImageFile
   GeometryHierarchy
+  GimFile
   GixelSurface
   LayerSampler
   LocalityQuery

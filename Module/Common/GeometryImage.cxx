@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <limits>
 #include <sstream>
 
 namespace bravais
@@ -115,6 +116,23 @@ GixelView::GixelView(vtkImageData* image)
   if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(defined))
   {
     this->Defined = bytes->GetPointer(0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void GetRow(const GixelView& gixels, vtkIdType row, float* points)
+{
+  for (vtkIdType i = 0; i < gixels.GetWidth(); ++i)
+  {
+    const vtkIdType gixel = row * gixels.GetWidth() + i;
+    double x[3];
+    gixels.GetPoint(gixel, x);
+    const bool used = gixels.IsUsed(gixel);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      points[3 * i + axis] =
+        used ? static_cast<float>(x[axis]) : std::numeric_limits<float>::quiet_NaN();
+    }
   }
 }
 

@@ -80,6 +80,9 @@ private:
   const unsigned char* Defined = nullptr;
 };
 
+/// A row of positions as floats, 3 a gixel; NaN where it is not used.
+void GetRow(const GixelView& gixels, vtkIdType row, float* points);
+
 /// The first used gixel with an infinite coordinate, or -1.
 vtkIdType FindInfiniteGixel(const GixelView& gixels);
 
