@@ -84,20 +84,37 @@ struct Rank1Site
   glm::vec<2, T> Fraction;
 };
 
+/// The largest integer that is not above x, which has to fit: less work than std::floor where that
+/// is a call.
+template <class T>
+inline Rank1Integer<T> Rank1Floor(T x)
+{
+  const auto whole = static_cast<Rank1Integer<T>>(x);
+  return whole - (static_cast<T>(whole) > x ? 1 : 0);
+}
+
+/// What is after the point of a finite number.
+template <class T>
+inline T Rank1Fraction(T x)
+{
+  constexpr T large(1 << 30);
+  return x > -large && x < large ? x - static_cast<T>(Rank1Floor(x)) : x - glm::floor(x);
+}
+
 /// The site of a finite point, in units of the picture.
 template <class T>
 inline Rank1Site<T> FindRank1Site(const Rank1Texture<T>& texture, const glm::vec<2, T>& uv)
 {
   using Int = Rank1Integer<T>;
-  const glm::vec<2, T> p = (uv - glm::floor(uv)) * glm::vec<2, T>(texture.Tiles);
+  const glm::vec<2, T> p =
+    glm::vec<2, T>(Rank1Fraction(uv.x), Rank1Fraction(uv.y)) * glm::vec<2, T>(texture.Tiles);
   Rank1Site<T> site;
   site.Tile = glm::min(glm::vec<2, Int>(p), texture.Tiles - Int(1));
   const glm::vec<2, T> local = p - glm::vec<2, T>(site.Tile);
   const glm::vec<2, T> st(texture.ToBasis.x * local.x + texture.ToBasis.y * local.y,
     texture.ToBasis.z * local.x + texture.ToBasis.w * local.y);
-  const glm::vec<2, T> cell = glm::floor(st);
-  site.Cell = glm::vec<2, Int>(cell);
-  site.Fraction = st - cell;
+  site.Cell = glm::vec<2, Int>(Rank1Floor(st.x), Rank1Floor(st.y));
+  site.Fraction = st - glm::vec<2, T>(site.Cell);
   return site;
 }
 
@@ -116,7 +133,7 @@ template <class T>
 inline Rank1Integer<T> Rank1Modulo(Rank1Integer<T> x, Rank1Integer<T> n, T reciprocal)
 {
   using Int = Rank1Integer<T>;
-  const Int rest = x - static_cast<Int>(glm::floor(static_cast<T>(x) * reciprocal)) * n;
+  const Int rest = x - Rank1Floor(static_cast<T>(x) * reciprocal) * n;
   const Int positive = rest < Int(0) ? rest + n : rest;
   return positive >= n ? positive - n : positive;
 }
@@ -129,11 +146,25 @@ inline Rank1Integer<T> Rank1Index(
 {
   using Int = Rank1Integer<T>;
   const Int n = texture.NumberOfPoints;
-  const auto turns =
-    static_cast<Int>(glm::floor(glm::dot(glm::vec<2, T>(st), texture.IndexShares)));
+  const Int turns = Rank1Floor(glm::dot(glm::vec<2, T>(st), texture.IndexShares));
   const Int rest = Rank1Sum(st.x, texture.Indices.x, st.y, texture.Indices.y, turns, n);
   const Int positive = rest < Int(0) ? rest + n : rest;
   return positive >= n ? positive - n : positive;
+}
+
+/// Index of the point a step of index `step` away, both in 0 .. n - 1.
+template <class Int>
+inline Int Rank1Step(Int index, Int step, Int n)
+{
+  const Int sum = index - (n - step);
+  return sum < Int(0) ? sum + n : sum;
+}
+
+/// Whether a texel's number is its index alone.
+template <class T>
+inline bool IsRank1Single(const Rank1Texture<T>& texture)
+{
+  return texture.Tiles.x == 1 && texture.Tiles.y == 1;
 }
 
 /// Number of the texel at s b1 + t b2 from the corner of a tile.
@@ -143,7 +174,7 @@ inline Rank1Integer<T> Rank1Texel(const Rank1Texture<T>& texture,
 {
   using Int = Rank1Integer<T>;
   const Int index = Rank1Index(texture, st);
-  if (texture.Tiles.x * texture.Tiles.y == Int(1))
+  if (IsRank1Single(texture))
   {
     return index;
   }
@@ -187,9 +218,19 @@ inline void FindRank1Bilinear(
   const Rank1Site<T> site = FindRank1Site(texture, uv);
   const glm::vec<2, T> f = site.Fraction;
   texels[0] = Rank1Texel(texture, site.Tile, site.Cell);
-  texels[1] = Rank1Texel(texture, site.Tile, site.Cell + Point(1, 0));
-  texels[2] = Rank1Texel(texture, site.Tile, site.Cell + Point(0, 1));
-  texels[3] = Rank1Texel(texture, site.Tile, site.Cell + Point(1, 1));
+  if (IsRank1Single(texture))
+  {
+    const Rank1Integer<T> n = texture.NumberOfPoints;
+    texels[1] = Rank1Step(texels[0], texture.Indices.x, n);
+    texels[2] = Rank1Step(texels[0], texture.Indices.y, n);
+    texels[3] = Rank1Step(texels[1], texture.Indices.y, n);
+  }
+  else
+  {
+    texels[1] = Rank1Texel(texture, site.Tile, site.Cell + Point(1, 0));
+    texels[2] = Rank1Texel(texture, site.Tile, site.Cell + Point(0, 1));
+    texels[3] = Rank1Texel(texture, site.Tile, site.Cell + Point(1, 1));
+  }
   weights[0] = (T(1) - f.x) * (T(1) - f.y);
   weights[1] = f.x * (T(1) - f.y);
   weights[2] = (T(1) - f.x) * f.y;
@@ -221,6 +262,17 @@ inline Rank1Triangle<T> FindRank1Triangle(const Rank1Site<T>& site)
   return triangle;
 }
 
+/// Indices of the steps from a triangle's corner along b1 and b2, or against them.
+template <class T>
+inline glm::vec<2, Rank1Integer<T>> FindRank1Steps(
+  const Rank1Texture<T>& texture, Rank1Integer<T> sign)
+{
+  const Rank1Integer<T> n = texture.NumberOfPoints;
+  const glm::vec<2, Rank1Integer<T>>& kl = texture.Indices;
+  return sign > 0 ? kl
+                  : glm::vec<2, Rank1Integer<T>>(kl.x > 0 ? n - kl.x : 0, kl.y > 0 ? n - kl.y : 0);
+}
+
 /// Linear interpolation on the Delaunay triangle.
 template <class T>
 inline void FindRank1Barycentric(
@@ -230,8 +282,18 @@ inline void FindRank1Barycentric(
   const Rank1Site<T> site = FindRank1Site(texture, uv);
   const Rank1Triangle<T> triangle = FindRank1Triangle(site);
   texels[0] = Rank1Texel(texture, site.Tile, triangle.Corner);
-  texels[1] = Rank1Texel(texture, site.Tile, triangle.Corner + Point(triangle.Sign, 0));
-  texels[2] = Rank1Texel(texture, site.Tile, triangle.Corner + Point(0, triangle.Sign));
+  if (IsRank1Single(texture))
+  {
+    const Rank1Integer<T> n = texture.NumberOfPoints;
+    const Point steps = FindRank1Steps(texture, triangle.Sign);
+    texels[1] = Rank1Step(texels[0], steps.x, n);
+    texels[2] = Rank1Step(texels[0], steps.y, n);
+  }
+  else
+  {
+    texels[1] = Rank1Texel(texture, site.Tile, triangle.Corner + Point(triangle.Sign, 0));
+    texels[2] = Rank1Texel(texture, site.Tile, triangle.Corner + Point(0, triangle.Sign));
+  }
   weights[0] = triangle.Barycentric.x;
   weights[1] = triangle.Barycentric.y;
   weights[2] = triangle.Barycentric.z;
@@ -270,6 +332,25 @@ inline void EvaluateRank1BoxSpline(const glm::vec<3, T>& barycentric, T weights[
   }
 }
 
+/// Indices of the box-spline's stencil, in the order of its weights, round a triangle's corner.
+template <class Int>
+inline void FindRank1Stencil(Int corner, const glm::vec<2, Int>& steps, Int n, Int texels[12])
+{
+  const glm::vec<2, Int> back(steps.x > 0 ? n - steps.x : 0, steps.y > 0 ? n - steps.y : 0);
+  texels[0] = corner;
+  texels[1] = Rank1Step(corner, steps.x, n);
+  texels[2] = Rank1Step(corner, steps.y, n);
+  texels[3] = Rank1Step(texels[1], steps.y, n);
+  texels[4] = Rank1Step(texels[2], back.x, n);
+  texels[5] = Rank1Step(texels[1], back.y, n);
+  texels[6] = Rank1Step(corner, back.x, n);
+  texels[7] = Rank1Step(corner, back.y, n);
+  texels[8] = Rank1Step(texels[5], steps.x, n);
+  texels[9] = Rank1Step(texels[1], steps.x, n);
+  texels[10] = Rank1Step(texels[2], steps.y, n);
+  texels[11] = Rank1Step(texels[4], steps.y, n);
+}
+
 /// The box-spline of the texels as its coefficients.
 template <class T>
 inline void FindRank1BoxSpline(const Rank1Texture<T>& texture, const glm::vec<2, T>& uv,
@@ -282,6 +363,12 @@ inline void FindRank1BoxSpline(const Rank1Texture<T>& texture, const glm::vec<2,
   const Rank1Site<T> site = FindRank1Site(texture, uv);
   const Rank1Triangle<T> triangle = FindRank1Triangle(site);
   EvaluateRank1BoxSpline(triangle.Barycentric, weights);
+  if (IsRank1Single(texture))
+  {
+    FindRank1Stencil(Rank1Index(texture, triangle.Corner), FindRank1Steps(texture, triangle.Sign),
+      texture.NumberOfPoints, texels);
+    return;
+  }
   for (int i = 0; i < 12; ++i)
   {
     texels[i] = Rank1Texel(texture, site.Tile, triangle.Corner + triangle.Sign * stencil[i]);
