@@ -4,7 +4,7 @@
 import unittest
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
 import scenes
@@ -78,23 +78,6 @@ class TestBCCVolumeMapperBlendModes(unittest.TestCase):
         # VTK shades at the sample after a surface: it gets short steps.
         self.compare("IsoSurface", scenes.make_property(
             -1, 1, ((-1, 0.3), (1, 1)), iso_values=(-0.5, 0.3, 0.7)), 1.2, 0.006)
-
-    def test_gradient_opacity(self):
-        # VTK measures gradients per cell: the average edge of the stand-in's cells here.
-        cells = numpy.mean((2 / 24, 2 / 24, 2 / 47)) / (2 / 95)
-        pictures = []
-        for mapper, image, scale in ((vtkOpenGLGPUVolumeRayCastMapper(), self.cartesian, 1),
-                                     (vtkBCCVolumeMapper(), self.bcc, cells)):
-            function = vtkPiecewiseFunction()
-            # Over the range of the scalars, -1 to 1, stand magnitudes from 0 to a quarter of it.
-            function.AddPoint(-1 + 0.04 * scale, 0)
-            function.AddPoint(-1 + 0.24 * scale, 1)
-            function.AddPoint(1, 1)
-            volume_property = scenes.make_property(-1, 1, OPACITIES)
-            volume_property.SetGradientOpacity(function)
-            pictures.append(render(mapper, image, "Composite", volume_property))
-        self.assertGreater(pictures[0].std(axis=(0, 1)).max(), 10, "nothing to see")
-        self.assertLess(numpy.abs(pictures[1] - pictures[0]).mean(), 1.0)
 
     def test_baseline(self):
         window = scenes.make_window(240, 240)

@@ -65,10 +65,9 @@ class TestBCCVolumeMapperMasks(unittest.TestCase):
             else:
                 mapper.SetMaskTypeToBinary()
             if gradient:
-                # Steep enough to be at the end of the table for both cell sizes.
                 opacity = vtkPiecewiseFunction()
-                opacity.AddPoint(-1, 0)
-                opacity.AddPoint(-0.99, 1)
+                opacity.AddPoint(0, 0)
+                opacity.AddPoint(2.5 * comparison.get_edge(mapper), 1)
                 volume_property.SetLabelGradientOpacity(1, opacity)
         return prepare
 

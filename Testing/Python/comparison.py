@@ -20,6 +20,13 @@ CARTESIAN = scenes.make_cartesian(wave, (80, 80, 80))
 plain_pictures = {}
 
 
+def get_edge(mapper):
+    """The average edge of the cells that VTK measures gradients by, the stand-in's in a BCC volume."""
+    if isinstance(mapper, vtkBCCVolumeMapper):
+        return numpy.mean((2 / 24, 2 / 24, 2 / 47))
+    return CARTESIAN.GetSpacing()[0]
+
+
 def make_scenes(mode, prepare=None, size=64, sample_distance=0.04, bcc=BCC, cartesian=CARTESIAN,
                 opacities=None, iso_values=(-0.5, 0.3, 0.7), shade=True):
     """A scene of each mapper, VTK's first; prepare(scene, mapper, property) makes them special."""
