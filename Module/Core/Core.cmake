@@ -5,6 +5,7 @@
 set(BRAVAIS_CORE
   AnalyticSignals
   BCCBlock
+  BCCBricks
   BCCCoefficientWindow
   BCCFit
   BCCKernel
@@ -20,6 +21,7 @@ set(BRAVAIS_CORE
   BayerMeasures
   BayerPattern
   BitMask
+  BrickDistances
   CellGrid
   ChirpTransform
   CullOctree
