@@ -9,6 +9,8 @@ set(BRAVAIS_RENDERING
 
 # What they are made of, not installed, one name a line for <Name>.h and <Name>.cxx.
 set(BRAVAIS_RENDERING_PRIVATE
+  vtkBCCBrickMarks
+  vtkBCCBrickTexture
   vtkBCCCoefficientArray
   vtkBCCCoefficientTexels
   vtkBCCRenderChecks
@@ -37,13 +39,17 @@ set(BRAVAIS_SHADERS
   bccIsoSurfaceDec
   bccIsoSurfaceImpl
   bccIsoSurfaceInit
+  bccIsoSurfaceNext
   bccIsoSurfaceTerminate
   bccMask
   bccNearest
   bccNothing
   bccNowhere
   bccPicking
+  bccRay
   bccRayCast
+  bccSkip
+  bccSkipImpl
   bccVolume
   rank1BoxSpline
   rank1FragmentImpl

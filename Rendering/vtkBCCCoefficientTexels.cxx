@@ -8,9 +8,12 @@
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
 
+#include <glm/gtc/packing.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <mutex>
 
 //------------------------------------------------------------------------------
 glm::ivec3 vtkBCCCoefficientTexels::GetSize(const vtkBCCVolumeFrame& frame)
@@ -124,4 +127,32 @@ void vtkBCCCoefficientTexels::MirrorSlices(const vtkBCCVolumeFrame& frame)
         this->GetTexel(0, 0, this->GetSlice(z)));
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkBCCCoefficientTexels::RoundToHalf()
+{
+  std::vector<double> errors(this->Components);
+  std::mutex merging;
+  const vtkIdType row = static_cast<vtkIdType>(this->Size.x) * this->Components;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Size.y) * this->Size.z,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<double> most(this->Components);
+      for (vtkIdType n = begin * row; n < end * row; ++n)
+      {
+        const float value = this->Values[n];
+        const float rounded = glm::unpackHalf1x16(glm::packHalf1x16(value));
+        this->Values[n] = rounded;
+        if (std::isfinite(value))
+        {
+          double& error = most[n % this->Components];
+          error = std::max<double>(error, std::abs(rounded - value));
+        }
+      }
+      const std::lock_guard<std::mutex> lock(merging);
+      std::transform(most.begin(), most.end(), errors.begin(), errors.begin(),
+        [](double a, double b) { return std::max(a, b); });
+    });
+  return errors;
 }

@@ -40,6 +40,10 @@ public:
   /// Packs an array of float or double coefficients, one tuple a point of the volume.
   void Pack(const vtkBCCVolumeFrame& frame, vtkDataArray* coefficients);
 
+  /// Rounds all values to half floats. Returns the largest difference of each component that makes:
+  /// infinity where a finite value is too large.
+  std::vector<double> RoundToHalf();
+
   glm::ivec3 Size = glm::ivec3(0);
   int Components = 0;
   std::vector<float> Values; // x fastest, components interleaved

@@ -10,9 +10,13 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
 
 vtkBCCVolumeInput::vtkBCCVolumeInput() = default;
 vtkBCCVolumeInput::~vtkBCCVolumeInput() = default;
@@ -42,7 +46,8 @@ bool vtkBCCVolumeInput::SetSource(vtkImageData* image, vtkDataArray* scalars, st
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCVolumeInput::CheckTexture(int limit, std::string& why) const
+bool vtkBCCVolumeInput::CheckTexture(
+  int limit, double bytes, bool halfFloats, std::string& why) const
 {
   const glm::ivec3 size = vtkBCCCoefficientTexels::GetSize(vtkBCCVolumeFrame(this->Source));
   if (std::max({ size.x, size.y, size.z }) > limit)
@@ -52,18 +57,38 @@ bool vtkBCCVolumeInput::CheckTexture(int limit, std::string& why) const
       std::to_string(limit) + " along each axis.";
     return false;
   }
+  const int components = this->Source->GetPointData()->GetScalars()->GetNumberOfComponents();
+  const double needed =
+    static_cast<double>(size.x) * size.y * size.z * components * (halfFloats ? 2 : 4);
+  if (needed > bytes)
+  {
+    why = "The input's coefficients need " + std::to_string(std::llround(needed)) +
+      " bytes on the GPU; MaxMemoryInBytes times MaxMemoryFraction is " +
+      std::to_string(std::llround(bytes)) + ".";
+    return false;
+  }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCVolumeInput::Load(int kernel, int prefilter, std::string& why)
+bool vtkBCCVolumeInput::Load(int kernel, int prefilter, bool halfFloats, std::string& why)
 {
-  const auto wanted = std::tuple_cat(this->Current, std::make_tuple(kernel, prefilter));
-  if (this->Frame && this->Loaded == wanted)
+  const auto wanted = std::tuple_cat(this->Current, std::make_tuple(kernel, prefilter, halfFloats));
+  if (this->Loaded != wanted)
   {
-    return true;
+    this->Loaded = wanted;
+    this->LoadError.clear();
+    this->Frame.reset();
+    this->Compute(kernel, prefilter, halfFloats, this->LoadError);
   }
-  this->Frame.reset();
+  why = this->LoadError;
+  return this->Frame.has_value();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeInput::Compute(int kernel, int prefilter, bool halfFloats, std::string& why)
+{
+  this->Bricks.reset();
   vtkDataArray* scalars = this->Source->GetPointData()->GetScalars();
   vtkNew<vtkBCCCoefficientArray> description;
   if (!description->Describe(scalars))
@@ -80,12 +105,61 @@ bool vtkBCCVolumeInput::Load(int kernel, int prefilter, std::string& why)
     nullptr, this->Source, extent, kernel, prefilter, coefficients, extent, 0, 1);
   const vtkBCCVolumeFrame frame(this->Source);
   this->Texels.Pack(frame, coefficients);
+  this->CoefficientError = 0.0;
+  if (halfFloats && !this->RoundToHalf(scalars, why))
+  {
+    return false;
+  }
   frame.FitStandIn(this->StandIn);
   this->StandIn->GetCellData()->SetScalars(description);
   this->Frame = frame;
-  this->Loaded = wanted;
   this->LoadTime.Modified();
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeInput::RoundToHalf(vtkDataArray* scalars, std::string& why)
+{
+  const std::vector<double> errors = this->Texels.RoundToHalf();
+  for (int component = 0; component < this->Texels.Components; ++component)
+  {
+    double range[2];
+    scalars->GetFiniteRange(range, component);
+    if (!(errors[component] <= (range[1] - range[0]) / 512.0))
+    {
+      std::ostringstream text;
+      text << "Half floats change the coefficients by up to " << errors[component]
+           << "; HalfFloatCoefficients allows up to 1/512 of the scalars' range, "
+           << (range[1] - range[0]) / 512.0 << ".";
+      why = text.str();
+      return false;
+    }
+    this->CoefficientError = std::max(this->CoefficientError, errors[component]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+const bravais::BCCBricks& vtkBCCVolumeInput::GetBricks()
+{
+  if (!this->Bricks)
+  {
+    const vtkBCCVolumeFrame& frame = *this->Frame;
+    const auto kernel = static_cast<bravais::BCCKernel>(std::get<3>(this->Loaded));
+    const bravais::BCCTexels texels = { this->Texels.Values.data(), this->Texels.Size,
+      this->Texels.Components };
+    this->Bricks.emplace(glm::ivec3(frame.High[0], frame.High[1], frame.High[2]),
+      static_cast<int>(frame.Low[2]), this->Texels.Components);
+    vtkSMPTools::For(0, this->Bricks->GetSize().z,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType layer = begin; layer < end; ++layer)
+        {
+          this->Bricks->ComputeLayer(kernel, texels, static_cast<int>(layer));
+        }
+      });
+  }
+  return *this->Bricks;
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #ifndef vtkBCCVolumeInput_h
 #define vtkBCCVolumeInput_h
 
+#include "BCCBricks.h"
 #include "vtkBCCCoefficientTexels.h"
 #include "vtkBCCVolumeFrame.h"
 
@@ -35,11 +36,14 @@ public:
   /// Takes an image and point scalars of it.
   bool SetSource(vtkImageData* image, vtkDataArray* scalars, std::string& why);
 
-  /// Whether the texture fits OpenGL's largest.
-  bool CheckTexture(int limit, std::string& why) const;
+  /// Whether the texture fits OpenGL's largest, and coefficients and bricks so many bytes.
+  bool CheckTexture(int limit, double bytes, bool halfFloats, std::string& why) const;
 
   /// Makes coefficients and stand-in, if they are not those of the source already.
-  bool Load(int kernel, int prefilter, std::string& why);
+  bool Load(int kernel, int prefilter, bool halfFloats, std::string& why);
+
+  /// Bounds of the spline in bricks; computed when they are first asked for after a Load().
+  const bravais::BCCBricks& GetBricks();
 
   /// What makes 0 to 1 of the samples' type, as textures of VTK do for colours.
   float GetNormalizer() const;
@@ -48,11 +52,17 @@ public:
   vtkBCCCoefficientTexels Texels;
   vtkNew<vtkImageData> StandIn; ///< What VTK is shown: see vtkBCCVolumeFrame.
   vtkTimeStamp LoadTime;
+  double CoefficientError = 0.0; ///< The largest difference that half floats make.
 
 private:
+  bool Compute(int kernel, int prefilter, bool halfFloats, std::string& why);
+  bool RoundToHalf(vtkDataArray* scalars, std::string& why);
+
+  std::optional<bravais::BCCBricks> Bricks;
   vtkNew<vtkImageData> Source; // with the scalars that are rendered
   std::tuple<vtkImageData*, vtkMTimeType, vtkDataArray*> Current;
-  std::tuple<vtkImageData*, vtkMTimeType, vtkDataArray*, int, int> Loaded;
+  std::tuple<vtkImageData*, vtkMTimeType, vtkDataArray*, int, int, bool> Loaded;
+  std::string LoadError; // why the last loading failed
 };
 
 #endif

@@ -26,6 +26,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 vtkStandardNewMacro(vtkBCCVolumeMapper);
@@ -68,6 +69,9 @@ void vtkBCCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Kernel: " << this->GetKernelAsString() << "\n";
   os << indent << "Prefilter: " << this->GetPrefilterAsString() << "\n";
   os << indent << "AnalyticGradients: " << (this->AnalyticGradients ? "On" : "Off") << "\n";
+  os << indent << "EmptySpaceSkipping: " << (this->EmptySpaceSkipping ? "On" : "Off") << "\n";
+  os << indent << "HalfFloatCoefficients: " << (this->HalfFloatCoefficients ? "On" : "Off") << "\n";
+  os << indent << "CoefficientError: " << this->GetCoefficientError() << "\n";
   os << indent << "IsoSurfaceRefinement: " << (this->IsoSurfaceRefinement ? "On" : "Off") << "\n";
   os << indent << "JitterPattern: " << this->GetJitterPatternAsString() << "\n";
   os << indent << "CoefficientTime: " << this->GetCoefficientTime() << "\n";
@@ -151,6 +155,32 @@ vtkMTimeType vtkBCCVolumeMapper::GetCoefficientTime() const
 }
 
 //------------------------------------------------------------------------------
+double vtkBCCVolumeMapper::GetCoefficientError() const
+{
+  return this->Impl->Input.CoefficientError;
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::SetMaxMemoryInBytes(vtkIdType bytes)
+{
+  this->MemoryIsLimited = true;
+  this->Superclass::SetMaxMemoryInBytes(bytes);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkBCCVolumeMapper::GetCoefficientMemory() const
+{
+  const vtkBCCCoefficientTexels& texels = this->Impl->Input.Texels;
+  return static_cast<vtkIdType>(texels.Values.size()) * (this->HalfFloatCoefficients ? 2 : 4);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkBCCVolumeMapper::GetBrickMemory() const
+{
+  return this->Impl->Stage->GetBrickMemory();
+}
+
+//------------------------------------------------------------------------------
 double* vtkBCCVolumeMapper::GetBounds()
 {
   this->Superclass::GetBounds(); // brings the input up to date
@@ -192,8 +222,12 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   window->MakeCurrent();
-  return input.CheckTexture(vtkTextureObject::GetMaximumTextureSize3D(window), why) &&
-    input.Load(this->Kernel, this->Prefilter, why);
+  const double bytes = this->MemoryIsLimited
+    ? static_cast<double>(this->MaxMemoryInBytes) * this->MaxMemoryFraction
+    : std::numeric_limits<double>::infinity();
+  return input.CheckTexture(vtkTextureObject::GetMaximumTextureSize3D(window), bytes,
+           this->HalfFloatCoefficients, why) &&
+    input.Load(this->Kernel, this->Prefilter, this->HalfFloatCoefficients, why);
 }
 
 //------------------------------------------------------------------------------
@@ -220,6 +254,13 @@ void vtkBCCVolumeMapper::Update()
     return;
   }
   this->Superclass::Update();
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Impl->Stage->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
@@ -273,13 +314,20 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->MaskInput && vtkBCCVolumeMask::IsLattice(this->MaskInput, *impl.Input.Frame);
   options.UserHash = vtkBCCShaderCheck::GetHash(volume);
   options.BayerJitter = this->JitterPattern == BayerJitter;
+  options.HalfFloats = this->HalfFloatCoefficients;
   options.Components = impl.Input.Texels.Components;
+  // Where a ray without surfaces ends tells VTK what is picked.
+  if (this->EmptySpaceSkipping && (options.RefineRoots || !renderer->GetSelector()))
+  {
+    options.SkipRule =
+      vtkBCCBrickTexture::FindRule(this, property, options.Components, options.RefineRoots);
+  }
   const bool colors = options.Components == 4 && !property->GetIndependentComponents();
 
   const int scalarMode = this->ScalarMode;
   this->ScalarMode = VTK_SCALAR_MODE_DEFAULT; // The stand-in has one array.
-  impl.Stage->Begin(renderer, volume, options, *impl.Input.Frame, impl.Input.Texels,
-    colors ? impl.Input.GetNormalizer() : 1.0f);
+  impl.Stage->Begin(
+    renderer, volume, options, impl.Input, colors ? impl.Input.GetNormalizer() : 1.0f);
   this->Superclass::Render(renderer, volume);
   impl.Stage->End();
   this->ScalarMode = scalarMode;

@@ -100,6 +100,50 @@ public:
 
   ///@{
   /**
+   * Whether rays leap over bricks of the volume in which nothing can be seen. On by default. The
+   * picture is the same, to the bit. Each brick of 5^3 lattice units has the least and the largest
+   * coefficient that reaches into it, which bound the spline. From these is known where opacity is
+   * 0 (composite and additive blending) or no isovalue is met, and at what distance the next brick
+   * is that matters; maximum and minimum intensity compare them with what the ray has found.
+   * Nothing is left out in average and slice blending, with label maps, or with dependent
+   * components but the last one's opacity. On the GPU it takes one byte a brick.
+   */
+  vtkSetMacro(EmptySpaceSkipping, bool);
+  vtkGetMacro(EmptySpaceSkipping, bool);
+  vtkBooleanMacro(EmptySpaceSkipping, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether coefficients are kept as half floats on the GPU, in half of the memory. Off by default.
+   * The kernels are not negative and sum to 1, so no value changes by more than the largest change
+   * of a coefficient, GetCoefficientError(), in the samples' units: 2^-11 of the largest
+   * coefficient at most. If that exceeds 1/512 of a component's range, as it may where values have
+   * a large offset or Projection for BCC12 has large coefficients, there is an error and nothing is
+   * rendered.
+   */
+  vtkSetMacro(HalfFloatCoefficients, bool);
+  vtkGetMacro(HalfFloatCoefficients, bool);
+  vtkBooleanMacro(HalfFloatCoefficients, bool);
+  double GetCoefficientError() const;
+  ///@}
+
+  /**
+   * If this is called, a volume whose coefficients take more bytes on the GPU than this times
+   * MaxMemoryFraction gets an error and is not rendered. VTK's default, a guess, limits nothing.
+   */
+  void SetMaxMemoryInBytes(vtkIdType bytes) override;
+
+  ///@{
+  /**
+   * Bytes of the coefficients and of the bricks of EmptySpaceSkipping on the GPU, as last rendered.
+   */
+  vtkIdType GetCoefficientMemory() const;
+  vtkIdType GetBrickMemory() const;
+  ///@}
+
+  ///@{
+  /**
    * In isosurface blending, whether surfaces are shaded at the spline's roots, found between
    * samples on either side of an isovalue, or by VTK at the sample after. On by default. Refined
    * surfaces are composited front to back, jitter does not move them, cropping and masks cut them
@@ -153,6 +197,7 @@ public:
   using Superclass::Update;
   void Update() override;
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
    * A BCC volume cannot be cut into partitions: an error if there is to be more than one.
@@ -176,6 +221,9 @@ private:
   int Kernel = 7;
   int Prefilter = 1;
   bool AnalyticGradients = true;
+  bool EmptySpaceSkipping = true;
+  bool HalfFloatCoefficients = false;
+  bool MemoryIsLimited = false;
   bool IsoSurfaceRefinement = true;
   int JitterPattern = 0;
 };

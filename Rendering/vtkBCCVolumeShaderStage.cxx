@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCVolumeShaderStage.h"
 
-#include "vtkBCCCoefficientTexels.h"
-#include "vtkBCCVolumeFrame.h"
+#include "vtkBCCVolumeInput.h"
 #include "vtkBCCVolumeMask.h"
 #include "vtkBCCVolumeShaderText.h"
 
@@ -52,7 +51,7 @@ bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
   const auto tie = [](const Options& o)
   {
     return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter,
-      o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.Components);
+      o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.SkipRule, o.HalfFloats, o.Components);
   };
   return tie(*this) == tie(other);
 }
@@ -68,8 +67,7 @@ bool vtkBCCVolumeShaderStage::IsDepthTaken(vtkVolume* volume)
 
 //------------------------------------------------------------------------------
 void vtkBCCVolumeShaderStage::Begin(vtkRenderer* renderer, vtkVolume* volume,
-  const Options& options, const vtkBCCVolumeFrame& frame, const vtkBCCCoefficientTexels& texels,
-  float normalizer)
+  const Options& options, vtkBCCVolumeInput& input, float normalizer)
 {
   if (!(options == this->Current))
   {
@@ -78,8 +76,7 @@ void vtkBCCVolumeShaderStage::Begin(vtkRenderer* renderer, vtkVolume* volume,
   }
   this->Renderer = renderer;
   this->Volume = volume;
-  this->Frame = &frame;
-  this->Texels = &texels;
+  this->Input = &input;
   this->Normalizer = normalizer;
   if (options.WriteDepth)
   {
@@ -115,10 +112,16 @@ void vtkBCCVolumeShaderStage::End()
     keys->Remove(vtkOpenGLRenderPass::RenderPasses());
   }
   this->Saved.reset();
+  this->Bricks.Deactivate();
   this->Renderer = nullptr;
   this->Volume = nullptr;
-  this->Frame = nullptr;
-  this->Texels = nullptr;
+  this->Input = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeShaderStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Bricks.ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
@@ -157,10 +160,24 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
   add(binaryMask, "BCC_BINARY_MASK");
   add(manyIndependent, "BCC_INDEPENDENT");
   add(mapper->GetRenderToImage(), "BCC_RENDER_TO_IMAGE");
+  // Where VTK looks up a sample's value before its gradient, which has the same coefficients. bcc12
+  // has its own fetches for each.
+  const int blend = mapper->GetBlendMode();
+  add(analytic && this->Current.Kernel != bravais::BCCKernel::BCC12 && !this->Current.RefineRoots &&
+      property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
+      (blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::SLICE_BLEND ||
+        blend == vtkVolumeMapper::ISOSURFACE_BLEND),
+    "BCC_SHARED_GRADIENTS");
+  const vtkBCCBrickTexture::Rule rule = this->Current.SkipRule;
+  const bool skip = rule != vtkBCCBrickTexture::Nothing;
+  add(skip && rule != vtkBCCBrickTexture::Maximum && rule != vtkBCCBrickTexture::Minimum,
+    "BCC_SKIP_DISTANCE");
+  add(rule == vtkBCCBrickTexture::Maximum, "BCC_SKIP_MAXIMUM");
+  add(rule == vtkBCCBrickTexture::Minimum, "BCC_SKIP_MINIMUM");
 
   const std::string declarations =
     Text::GetSpline(this->Current.Kernel, this->Current.Components, "in_volume[0]") +
-    Text::GetRayCast(macros);
+    Text::GetRayCast(macros) + (skip ? Text::GetSkipping() : std::string());
   if (mapper->GetMaskInput())
   {
     after("//VTK::BinaryMask::Dec", Text::GetMask(this->Current.LatticeMask));
@@ -176,6 +193,14 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
     instead("//VTK::Terminate::Impl", Text::GetIsoSurfaceTermination());
     after("//VTK::Shading::Init", Text::GetIsoSurfaceInit());
     after("//VTK::Terminate::Init", "  g_bccDepth = l_depthValue.x;\n  g_bccDepthTaken = false;");
+  }
+  else
+  {
+    after("//VTK::Shading::Init", "  BCCStartRay();");
+    if (skip)
+    {
+      after("//VTK::Base::Impl", Text::GetSkippingImplementation());
+    }
   }
   if (this->Current.WriteDepth)
   {
@@ -199,6 +224,9 @@ bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
 {
   const bool values = vtkShaderProgram::Substitute(
     fragment, "texture3D(in_volume[0], g_dataPos)", "BCCLookUp(g_dataPos)");
+  // The statement stays, for replacements of the user's.
+  const std::string step = "g_dataPos += g_dirStep;";
+  vtkShaderProgram::Substitute(fragment, step, step + " BCCAdvance(1.0);");
   // The differences that VTK takes where gradients are not analytic.
   vtkShaderProgram::Substitute(fragment, "texture3D(volume, vec3(", "BCCLookUp(vec3(");
   vtkShaderProgram::Substitute(
@@ -232,9 +260,12 @@ bool vtkBCCVolumeShaderStage::FillTexture(vtkVolumeTexture* texture)
   bool filled = true;
   if (this->Filled != texture || this->FilledTime != texture->UploadTime.GetMTime())
   {
-    const glm::ivec3& size = this->Texels->Size;
-    filled = object->Create3DFromRaw(size.x, size.y, size.z, this->Texels->Components, VTK_FLOAT,
-      const_cast<float*>(this->Texels->Values.data()));
+    static const GLenum formats[2][4] = { { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F },
+      { GL_R16F, GL_RG16F, GL_RGB16F, GL_RGBA16F } };
+    vtkBCCCoefficientTexels& texels = this->Input->Texels;
+    object->SetInternalFormat(formats[this->Current.HalfFloats][texels.Components - 1]);
+    filled = object->Create3DFromRaw(texels.Size.x, texels.Size.y, texels.Size.z, texels.Components,
+      VTK_FLOAT, texels.Values.data());
     this->Filled = filled ? texture : nullptr;
     this->FilledTime = texture->UploadTime.GetMTime();
   }
@@ -262,10 +293,10 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
     block->CellStep[axis] =
       1.0f / static_cast<float>(block->Extents[2 * axis + 1] - block->Extents[2 * axis] + 1);
   }
-  const vtkBCCVolumeFrame& frame = *this->Frame;
+  const vtkBCCVolumeFrame& frame = *this->Input->Frame;
   program->SetUniform3f("in_bccLow", frame.Low);
   program->SetUniform3f("in_bccHigh", frame.High);
-  program->SetUniformi("in_bccCosetDepth", this->Texels->Size.z / 2);
+  program->SetUniformi("in_bccCosetDepth", this->Input->Texels.Size.z / 2);
   if (program->IsUniformUsed("in_bccToGradient"))
   {
     float toGradient[9];
@@ -290,6 +321,14 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
     // A translucent surface is picked, but hides nothing.
     const bool picking = this->Renderer->GetSelector() != nullptr;
     program->SetUniformf("in_bccDepthOpacity", picking ? 3.0f / 255.0f : 1.0f - 1.0f / 255.0f);
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (this->Current.SkipRule != vtkBCCBrickTexture::Nothing &&
+    !this->Bricks.Activate(program, mapper, this->Volume->GetProperty(), window,
+      this->Current.SkipRule, this->Input->GetBricks(), this->Input->LoadTime.GetMTime(),
+      this->Normalizer))
+  {
+    return false;
   }
   if (this->Saved)
   {

@@ -11,13 +11,15 @@
  * - redirects the texture look-ups that VTK wrote to the spline;
  * - fills VTK's texture with the coefficients whenever VTK has made it anew, and sets uniforms.
  *
- * Everything on the GPU so belongs to VTK's mapper, which releases it with its own resources.
+ * The coefficients on the GPU so belong to VTK's mapper, which releases them with its own
+ * resources. The bricks are the stage's.
  */
 
 #ifndef vtkBCCVolumeShaderStage_h
 #define vtkBCCVolumeShaderStage_h
 
 #include "BCCKernel.h"
+#include "vtkBCCBrickTexture.h"
 #include "vtkBCCShaderCheck.h"
 
 #include "vtkOpenGLRenderPass.h"
@@ -25,11 +27,10 @@
 
 #include <memory>
 
-class vtkBCCCoefficientTexels;
+class vtkBCCVolumeInput;
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeTexture;
-struct vtkBCCVolumeFrame;
 
 class vtkBCCVolumeShaderStage : public vtkOpenGLRenderPass
 {
@@ -45,19 +46,21 @@ public:
     bool RefineRoots = false; // isosurface blending only
     bool WriteDepth = false;  // of refined roots
     bool BayerJitter = false;
+    vtkBCCBrickTexture::Rule SkipRule = vtkBCCBrickTexture::Nothing;
     // Of these VTK takes no notice by itself:
     int LightComplexity = 0;
     int Mask = -1; // its type, or -1
     bool LatticeMask = false;
     std::size_t UserHash = 0;
+    bool HalfFloats = false;
     int Components = 1;
     bool operator==(const Options& other) const;
   };
 
-  /// Enters the property keys of the volume for one frame that shows these coefficients. Stored
+  /// Enters the property keys of the volume for one frame that shows this input. Stored
   /// coefficients are multiplied by the normalizer: not 1 where VTK takes values for colours.
   void Begin(vtkRenderer* renderer, vtkVolume* volume, const Options& options,
-    const vtkBCCVolumeFrame& frame, const vtkBCCCoefficientTexels& texels, float normalizer);
+    vtkBCCVolumeInput& input, float normalizer);
   /// Leaves them.
   void End();
 
@@ -66,6 +69,12 @@ public:
 
   /// Whether another pass, or who asked to keep OpenGL's state, decides on the depth buffer.
   static bool IsDepthTaken(vtkVolume* volume);
+
+  /// Bytes that the bricks take on the GPU.
+  vtkIdType GetBrickMemory() const { return this->Bricks.GetSize(); }
+
+  /// Releases what VTK does not know of.
+  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   void Render(const vtkRenderState*) override {} // It is no pass of its own.
   bool PreReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
@@ -89,8 +98,8 @@ private:
   Options Current;
   vtkRenderer* Renderer = nullptr;
   vtkVolume* Volume = nullptr;
-  const vtkBCCVolumeFrame* Frame = nullptr;
-  const vtkBCCCoefficientTexels* Texels = nullptr;
+  vtkBCCVolumeInput* Input = nullptr;
+  vtkBCCBrickTexture Bricks;
   float Normalizer = 1.0f;
   vtkBCCShaderCheck Check;
 

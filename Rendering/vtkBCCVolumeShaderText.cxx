@@ -14,11 +14,15 @@
 #include "bccIsoSurfaceDec_glsl.h"
 #include "bccIsoSurfaceImpl_glsl.h"
 #include "bccIsoSurfaceInit_glsl.h"
+#include "bccIsoSurfaceNext_glsl.h"
 #include "bccIsoSurfaceTerminate_glsl.h"
 #include "bccMask_glsl.h"
 #include "bccNearest_glsl.h"
 #include "bccPicking_glsl.h"
 #include "bccRayCast_glsl.h"
+#include "bccRay_glsl.h"
+#include "bccSkipImpl_glsl.h"
+#include "bccSkip_glsl.h"
 #include "bccVolume_glsl.h"
 
 namespace
@@ -67,7 +71,19 @@ std::string vtkBCCVolumeShaderText::GetRayCast(const std::vector<std::string>& m
   {
     text += Define(macro, "1");
   }
-  return text + bccRayCast_glsl;
+  return text + bccRayCast_glsl + bccRay_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetSkipping()
+{
+  return bccSkip_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetSkippingImplementation()
+{
+  return bccSkipImpl_glsl;
 }
 
 //------------------------------------------------------------------------------
@@ -101,7 +117,7 @@ std::string vtkBCCVolumeShaderText::GetFindRoot()
 //------------------------------------------------------------------------------
 std::string vtkBCCVolumeShaderText::GetIsoSurfaceDeclarations()
 {
-  return std::string(bccIsoSurfaceDec_glsl) + bccGrazing_glsl;
+  return std::string(bccIsoSurfaceDec_glsl) + bccIsoSurfaceNext_glsl + bccGrazing_glsl;
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,8 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   static std::string GetSpline(
     bravais::BCCKernel kernel, int components, const std::string& volume);
 
-  /// What VTK's ray caster uses of it, with these macros defined to 1: see bccRayCast.glsl.
+  /// What VTK's ray caster uses of it, with these macros defined to 1: bccRayCast.glsl,
+  /// bccRay.glsl.
   static std::string GetRayCast(const std::vector<std::string>& macros);
 
   /// What takes the place of JitterStatement in VTK's shader: rays start where Bayer has them
@@ -37,6 +38,10 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
 
   /// Indices of picked samples, after GetMask if there is one.
   static std::string GetPicking(bool latticeMask);
+
+  /// Leaps over empty bricks, and the text that makes them before a sample.
+  static std::string GetSkipping();
+  static std::string GetSkippingImplementation();
 
   /// FindRoot(), which needs a BCCDifference().
   static std::string GetFindRoot();

@@ -47,7 +47,7 @@ struct BCCTexels
 class BCCBricks
 {
 public:
-  static constexpr int Edge = 4;
+  static constexpr int Edge = 5;
 
   /// Bricks of the box 0 <= X <= last, its coordinates along z from `firstLayer` (0 or 1) on.
   BCCBricks(const glm::ivec3& last, int firstLayer, int components);

@@ -103,10 +103,8 @@ bool BCCGraze(inout float value, inout bool rising, inout bool crossed, inout ve
   float s = BCCFindGrazed(start, textureStep, sign, isoValue, scalar);
   if (s >= 0.0)
   {
-    float steps = back ? 2.0 : 1.0;
-    next -= (min(l_bccSteps, 0.0) + steps) * g_dirStep;
-    l_bccSteps += steps;
-    g_currentT -= steps;
+    g_bccSample -= back ? 2.0 : 1.0;
+    next = g_bccStart + g_bccSample * g_dirStep;
     l_bccLast = false;
     l_bccScalar = back ? l_bccScalarBefore : l_bccScalar;
     l_bccPosition = start;

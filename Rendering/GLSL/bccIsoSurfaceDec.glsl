@@ -19,9 +19,10 @@ vec3 l_bccPositionBefore; // of the sample before the last, or the last where th
 float l_bccScalarBefore;
 vec3 l_bccStep; // from it to this one
 float l_bccIsoValue; // that the ray meets next
-float l_bccSteps; // from the last sample to the ray's end
+float l_bccSteps; // from the first sample to the ray's end
 bool l_bccFirst;
 bool l_bccLast;
+bool l_bccWithin; // whether the sample before this one is in the same empty bricks
 float g_bccDepth; // of the window
 bool g_bccDepthTaken;
 vec3 g_bccSurface; // where that is
@@ -83,13 +84,11 @@ void BCCPassSample(vec3 texturePosition, float scalar)
   l_bccScalar = scalar;
 }
 
-// After g_dataPos has gone one step further: where that is beyond the ray's end, back to the end.
-void BCCCountStep()
+// After g_dataPos has gone some samples further: where that is beyond the ray's end, back to the end.
+void BCCStopAtEnd()
 {
-  ++g_currentT;
-  l_bccSteps -= 1.0;
-  l_bccLast = l_bccSteps <= 0.0;
-  g_dataPos += min(l_bccSteps, 0.0) * g_dirStep;
+  l_bccLast = g_bccSample >= l_bccSteps;
+  g_dataPos = g_bccStart + min(g_bccSample, l_bccSteps) * g_dirStep;
 }
 
 // Takes the depth of the surface at g_dataPos if it is the first that counts.

@@ -29,8 +29,7 @@
           break;
         }
         BCCPassSample(g_dataPos, value);
-        g_dataPos += g_dirStep;
-        BCCCountStep();
+        BCCAdvanceTo(g_bccSample + 1.0);
       }
 
       vec3 next = g_dataPos;
@@ -61,6 +60,7 @@
         }
       } while (crossed);
       g_dataPos = next;
+      l_bccWithin = false;
       BCCPassSample(samplePosition, value);
       if (grazed)
       {

@@ -17,7 +17,10 @@
     vec3 far = mix(in_texMin[0], in_texMax[0], greaterThan(g_dirStep, vec3(0.0)));
     vec3 leave = mix((far - g_dataPos) / g_dirStep, vec3(1e20), equal(g_dirStep, vec3(0.0)));
     float terminate = dot(g_terminatePos - g_dataPos, g_dirStep) / squaredStep;
-    l_bccSteps = min(min(min(leave.x, leave.y), leave.z), terminate);
+    l_bccSteps = max(min(min(min(leave.x, leave.y), leave.z), terminate), 0.0);
     l_bccFirst = true;
-    l_bccLast = l_bccSteps <= 0.0;
+    l_bccWithin = true;
+    BCCStartRay();
+    BCCAdvanceTo(0.0);
+    l_bccWithin = false;
   }

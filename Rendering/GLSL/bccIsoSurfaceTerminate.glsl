@@ -5,4 +5,4 @@
     {
       break;
     }
-    BCCCountStep();
+    BCCStopAtEnd();

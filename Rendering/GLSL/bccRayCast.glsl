@@ -7,6 +7,10 @@
 uniform float in_bccNormalizer; // makes colours of stored integers, as VTK's own textures do
 #endif
 
+#ifdef BCC_SHARED_GRADIENTS
+BCC_VALUE g_bccGx, g_bccGy, g_bccGz; // at the last look-up
+#endif
+
 // In the place of texture3D(in_volume[0], texturePosition).
 vec4 BCCLookUp(vec3 texturePosition)
 {
@@ -15,6 +19,11 @@ vec4 BCCLookUp(vec3 texturePosition)
   value.BCC_CHANNELS = EvaluateBoxSpline(BCCPosition(texturePosition), gx, gy, gz);
 #if BCC_COMPONENTS == 4
   value *= in_bccNormalizer;
+#endif
+#ifdef BCC_SHARED_GRADIENTS
+  g_bccGx = gx;
+  g_bccGy = gy;
+  g_bccGz = gz;
 #endif
   return value;
 }
@@ -35,8 +44,12 @@ vec3 BCCToEye(vec3 gradient)
 // edge, in units of a quarter of the scalar range. Else w is -1.
 vec4 computeGradient(in vec3 texPos, in int c, in sampler3D volume, in int index)
 {
+#ifdef BCC_SHARED_GRADIENTS
+  BCC_VALUE gx = g_bccGx, gy = g_bccGy, gz = g_bccGz; // texPos is where VTK has just looked up
+#else
   BCC_VALUE gx, gy, gz;
   EvaluateBoxSpline(BCCPosition(texPos), gx, gy, gz);
+#endif
 #if BCC_COMPONENTS == 1
   vec3 gradient = vec3(gx, gy, gz);
 #else

@@ -119,12 +119,13 @@ TEST(TestBCCBricks, BoundsAreThoseOfTheCoefficientsThatReachIn)
       Volume volume({ 7, 5, 11 }, first, 2);
       volume.Fill();
       const BCCBricks bricks = volume.MakeBricks(kernel);
-      ASSERT_EQ(bricks.GetSize(), glm::ivec3(4, 3, 3));
-      for (int n = 0; n < bricks.GetSize().x * bricks.GetSize().y * bricks.GetSize().z; ++n)
+      const glm::ivec3 size = bricks.GetSize();
+      ASSERT_EQ(size, glm::ivec3(3, 2, first == 0 ? 2 : 3));
+      for (int n = 0; n < size.x * size.y * size.z; ++n)
       {
-        const glm::ivec3 b(n % 4, n / 4 % 3, n / 12);
-        const glm::ivec3 low = glm::max(4 * b, glm::ivec3(0, 0, first));
-        const glm::ivec3 high = glm::min(4 * b + 4, volume.Last);
+        const glm::ivec3 b(n % size.x, n / size.x % size.y, n / (size.x * size.y));
+        const glm::ivec3 low = glm::max(BCCBricks::Edge * b, glm::ivec3(0, 0, first));
+        const glm::ivec3 high = glm::min(BCCBricks::Edge * (b + 1), volume.Last);
         for (int c = 0; c < 2; ++c)
         {
           float least = 2.0f;
@@ -167,7 +168,7 @@ TEST(TestBCCBricks, TheSplineStaysInTheBounds)
       glm::dvec3 gradient;
       const double value = EvaluateBoxSpline(kernel, fetch, p, gradient);
       const std::size_t brick =
-        FindBrick(bricks, glm::min(glm::ivec3(p) / 4, bricks.GetSize() - 1), 0);
+        FindBrick(bricks, glm::min(glm::ivec3(p) / BCCBricks::Edge, bricks.GetSize() - 1), 0);
       ASSERT_GE(value, bricks.GetLow()[brick] - 1e-9);
       ASSERT_LE(value, bricks.GetHigh()[brick] + 1e-9);
     }
@@ -181,13 +182,13 @@ TEST(TestBCCBricks, WhatIsNotFiniteHasNoBounds)
   {
     Volume volume({ 12, 12, 24 }, 0, 1);
     volume.Fill();
-    *volume.Find({ 12, 12, 12 }, 0) = bad;
+    *volume.Find({ 10, 10, 10 }, 0) = bad;
     const BCCBricks bricks = volume.MakeBricks(BCCKernel::BCC7);
     int count = 0;
     for (std::size_t n = 0; n < bricks.GetLow().size(); ++n)
     {
       count += bricks.GetLow()[n] == -infinity && bricks.GetHigh()[n] == infinity;
     }
-    EXPECT_EQ(count, 8); // (12, 12, 12) is a corner of eight bricks, and further from all others.
+    EXPECT_EQ(count, 8); // (10, 10, 10) is a corner of eight bricks, and further from all others.
   }
 }
