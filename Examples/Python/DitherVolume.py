@@ -1,19 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A CT volume at 4 levels, rendered by VTK: as it is, rounded, and dithered in 2D and 3D.
+"""An MRI volume at 4 levels, rendered by VTK: as it is, rounded, and dithered in 2D and 3D.
 
     DitherVolume.py FOLDER [--download] [--size PIXELS]
 
-writes dither-volume.png to FOLDER. --download takes the head of Debian's invesalius-examples;
+writes dither-volume.png to FOLDER. --download takes the head of Debian's mricron-data (Colin 27);
 without it a head-like volume is generated.
 """
 import argparse
 import pathlib
-import tarfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 from vtkmodules.vtkRenderingCore import (
     vtkColorTransferFunction, vtkRenderer, vtkVolume, vtkVolumeProperty)
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
@@ -22,29 +22,30 @@ import debian
 import pictures
 from bravais import vtkOrderedDither
 
-HEAD = "invesalius-examples", "usr/share/doc/invesalius-examples/examples/Cranium.inv3"
-HEAD_SHAPE, HEAD_SPACING = (108, 256, 256), (0.957, 0.957, 1.5)
-RANGE = -200, 1300  # Hounsfield units: fat, dense bone
+HEAD = "mricron-data", "usr/share/mricron/templates/ch2.nii.gz"
+RANGE = 25, 220  # above the background's noise, up to what is nearly the brightest
 LEVELS = 4
 PATTERNS = {"rounded": (2, 0), "2D pattern": (2, 3), "3D pattern": (3, 3)}
 DEPTH = 12.0  # optical depth of the volume's diagonal at the highest scalar
 
 
 def read_head(path):
-    with tarfile.open(path) as archive:
-        member, = (m for m in archive.getmembers() if m.name.endswith("matrix.dat"))
-        data = archive.extractfile(member).read()
-    return np.frombuffer(data, "<i2").reshape(HEAD_SHAPE), HEAD_SPACING
+    reader = vtkNIFTIImageReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    values = vtk_to_numpy(image.GetPointData().GetScalars())
+    return values.reshape(image.GetDimensions()[::-1]), image.GetSpacing()
 
 
 def generate():
-    """A skull of soft edges round a brain that is denser at its base, in Hounsfield units."""
+    """A skull of soft edges round a brain that is denser at its base."""
     z, y, x = np.mgrid[-1:1:48j, -1:1:64j, -1:1:64j]
     radius = np.sqrt((x / 0.7) ** 2 + (y / 0.9) ** 2 + (z / 0.85) ** 2)
-    skull = 1200 * np.exp(-((radius - 0.88) / 0.06) ** 2)
-    tissue = (1064 - 500 * z) / (1 + np.exp((radius - 0.97) / 0.02))
-    ventricles = 300 * np.exp(-((np.abs(x) - 0.15) ** 2 / 0.02 + y ** 2 / 0.1 + z ** 2 / 0.04))
-    return (tissue + skull - ventricles - 1024).astype(np.int16), (4, 4, 4 * 63 / 47)
+    skull = 156 * np.exp(-((radius - 0.88) / 0.06) ** 2)
+    tissue = (138 - 65 * z) / (1 + np.exp((radius - 0.97) / 0.02))
+    ventricles = 39 * np.exp(-((np.abs(x) - 0.15) ** 2 / 0.02 + y ** 2 / 0.1 + z ** 2 / 0.04))
+    return np.clip(tissue + skull - ventricles - 80, 0, 255).astype(np.uint8), (4, 4, 4 * 63 / 47)
 
 
 def to_volume(array, spacing):
@@ -94,7 +95,7 @@ def make_renderer(image, lo, hi, viewport):
     camera.SetPosition(-1, -1.3, 0.5)
     camera.SetViewUp(0, 0, 1)
     renderer.ResetCamera()
-    camera.Zoom(1.6)
+    camera.Zoom(1.45)
     return renderer
 
 
@@ -112,7 +113,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--download", action="store_true")
-    parser.add_argument("--size", type=int, default=300)
+    parser.add_argument("--size", type=int, default=280)
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     path = debian.fetch(*HEAD, options.folder / "data") if options.download else None
