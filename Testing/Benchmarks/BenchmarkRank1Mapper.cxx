@@ -154,13 +154,15 @@ void AddPeers(const View& view)
   vtkNew<vtkImageData> picture;
   picture->SetDimensions(Side, Side, 1);
   FillWithColors(picture);
-  for (int kind = 0; kind < 3; ++kind)
+  for (int kind = 0; kind < 4; ++kind)
   {
     vtkNew<vtkTexture> texture;
     texture->SetInputData(picture);
     texture->SetInterpolate(kind > 0);
     texture->SetMipmap(kind > 1);
-    const char* names[] = { "VTK nearest", "VTK linear", "VTK mipmaps" };
+    texture->SetMaximumAnisotropicFiltering(kind > 2 ? 4.0f : 1.0f); // 4 is VTK's default
+    const char* names[] = { "VTK nearest", "VTK linear", "VTK mipmaps",
+      "VTK mipmaps, anisotropic" };
     AddFrames(names[kind], view, vtkSmartPointer<vtkPolyDataMapper>::New(), texture);
   }
 }
