@@ -17,7 +17,7 @@
  * are grey, of two grey and opacity, of three RGB, of four RGBA. Bytes are divided by 255, 16-bit
  * unsigned integers by 65535, floating-point texels are what they are. All else is
  * vtkOpenGLPolyDataMapper: lighting, scalars, edges, clipping, picking, shader replacements, and
- * further textures of the actor.
+ * further textures of the actor. (SeamlessU and SeamlessV are for those only.)
  *
  * @code{.py}
  * mapper = vtkRank1TexturedPolyDataMapper()

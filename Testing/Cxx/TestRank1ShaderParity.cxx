@@ -3,7 +3,7 @@
 // The GLSL of rank-1 textures agrees with its twins of Module/Core: indices of lattice points are
 // the same integers for n up to 2^24, interpolated values of random texels at random points of the
 // picture and beyond it are the twins' in double up to rounding, and so are levels of random
-// footprints.
+// footprints. OpenGL has no error to report, here and after frames of the mapper.
 
 #include "Rank1Image.h"
 #include "Rank1Interpolation.h"
@@ -12,17 +12,22 @@
 #include "vtkRank1ShaderText.h"
 #include "vtkRank1TexelTexture.h"
 #include "vtkRank1TextureInput.h"
+#include "vtkRank1TexturedPolyDataMapper.h"
 
+#include "vtkActor.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLogger.h"
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtk_glew.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -291,6 +296,44 @@ bool CompareLevels(
 }
 }
 
+namespace
+{
+bool IsGood(vtkRenderWindow* window)
+{
+  window->MakeCurrent();
+  const unsigned int error = glGetError();
+  vtkLog(INFO, << "OpenGL error " << error);
+  return error == GL_NO_ERROR;
+}
+
+// Frames of all kinds of texels and look-ups, and after a release.
+bool DrawFrames(vtkRenderWindow* window, vtkMinimalStandardRandomSequence* random)
+{
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkRank1TexturedPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  window->AddRenderer(renderer);
+  for (int kind = 0; kind < 8; ++kind)
+  {
+    const bool tiled = kind % 2 != 0;
+    mapper->SetTextureData(MakeImage({ 97, 5, 31, tiled ? 3 : 1, 1, 1, 1 }, random));
+    mapper->SetInterpolation(kind / 2);
+    mapper->SetHalfPrecision(kind % 3 == 0);
+    window->Render();
+    if (kind == 5)
+    {
+      actor->ReleaseGraphicsResources(window);
+    }
+  }
+  window->RemoveRenderer(renderer);
+  return mapper->GetTexelTime() > 0;
+}
+}
+
 int TestRank1ShaderParity(int, char*[])
 {
   vtkNew<vtkRenderWindow> renderWindow;
@@ -320,5 +363,7 @@ int TestRank1ShaderParity(int, char*[])
     }
     texture.Texels.Release(window);
   }
+  good = IsGood(renderWindow) && good;
+  good = DrawFrames(renderWindow, random) && IsGood(renderWindow) && good;
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
