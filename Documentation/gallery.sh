@@ -13,7 +13,8 @@ bravais_build release -DBRAVAIS_BUILD_TESTING=OFF
 build=$PWD/build/release
 HEAD_MRI=$(bravais_fetch_brain "$build/data")
 BRAIN_MRI=${HEAD_MRI/ch2/ch2bet}
-export HEAD_MRI BRAIN_MRI
+PICTURES=$build/pictures
+export HEAD_MRI BRAIN_MRI PICTURES
 export PATH=$build/bin:$PWD/Examples/Python:/usr/bin:$PATH
 export PYTHONPATH=$build/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
 bravais_start_display
