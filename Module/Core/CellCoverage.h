@@ -64,8 +64,8 @@ public:
   void ForEachRow(const glm::dvec2& center, Row& row, const Work& work) const
   {
     // From here on relative to the corner of the first pixel, so that all numbers are positive.
-    const double left = std::floor(center.x + this->Low.x);
-    const double bottom = std::floor(center.y + this->Low.y);
+    const int left = RoundDown(center.x + this->Low.x);
+    const int bottom = RoundDown(center.y + this->Low.y);
     const glm::dvec2 offset(center.x - left, center.y - bottom);
     const int count = static_cast<int>(offset.x + this->High.x) + 1;
     const double top = offset.y + this->High.y;
@@ -84,7 +84,7 @@ public:
         inside[x] = (inside[x] + sum) * this->Scale;
         sum += beyond[x];
       }
-      work(static_cast<int>(bottom) + y, static_cast<int>(left), count, inside);
+      work(bottom + y, left, count, inside);
     }
   }
 
@@ -96,6 +96,13 @@ private:
     double Slope; ///< dx / dy
     double Sign;  ///< 1 where the cell is to the left
   };
+
+  /// std::floor, without a call.
+  static int RoundDown(double x)
+  {
+    const int whole = static_cast<int>(x);
+    return whole - (whole > x ? 1 : 0);
+  }
 
   /// Adds the part of an edge that lies in row y.
   static void CutEdge(

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rank1Resampler.h"
 
-#include <cmath>
-
 namespace bravais
 {
 
@@ -39,10 +37,10 @@ Rank1Resampler::Rank1Resampler(const Rank1Lattice& lattice, const glm::ivec2& ti
 Rank1Resampler::Taps Rank1Resampler::FindTaps(double position, int axis) const
 {
   const double p = position - 0.5; // centres at the integers
-  const double below = std::floor(p);
-  const double f = p - below;
+  int first = static_cast<int>(p);
+  first -= first > p ? 1 : 0; // rounded down
+  const double f = p - first;
   Taps taps;
-  int first = static_cast<int>(below);
   if (this->Filter == Rank1Filter::Bilinear)
   {
     taps.Count = 2;

@@ -75,11 +75,14 @@ private:
     return y >= 0 && y < this->Pixels.y && x >= 0 && x + count <= this->Pixels.x;
   }
 
-  template <class T>
+  template <int Fixed, class T>
   void SumCell(const T* pixels, int components, const glm::dvec2& center, CellCoverage::Row& row,
     double* sum) const;
-  template <class T>
+  template <int Fixed, class T>
   void SumTaps(const T* pixels, int components, const glm::dvec2& center, double* sum) const;
+  template <int Fixed, class T>
+  void ExecuteFixed(const T* pixels, int components, const glm::ivec2& tile, std::int64_t first,
+    std::int64_t last, T* texels) const;
 
   Rank1Lattice Lattice;
   glm::dvec2 PixelsPerTile;
@@ -112,11 +115,12 @@ inline int Rank1Resampler::Wrap(int pixel, int axis) const
 }
 
 //------------------------------------------------------------------------------
-template <class T>
+template <int Fixed, class T>
 void Rank1Resampler::SumCell(const T* pixels, int components, const glm::dvec2& center,
   CellCoverage::Row& row, double* sum) const
 {
   constexpr double none = 1e-14; // of a cell: rounding
+  const int number = Fixed ? Fixed : components;
   this->Cell.ForEachRow(center, row,
     [&](int y, int x, int count, const double* weights)
     {
@@ -130,7 +134,7 @@ void Rank1Resampler::SumCell(const T* pixels, int components, const glm::dvec2& 
         {
           const T* pixel =
             line + std::int64_t{ components } * (inside ? x + i : this->Wrap(x + i, 0));
-          for (int c = 0; c < components; ++c)
+          for (int c = 0; c < number; ++c)
           {
             sum[c] += weight * static_cast<double>(pixel[c]);
           }
@@ -140,10 +144,11 @@ void Rank1Resampler::SumCell(const T* pixels, int components, const glm::dvec2& 
 }
 
 //------------------------------------------------------------------------------
-template <class T>
+template <int Fixed, class T>
 void Rank1Resampler::SumTaps(
   const T* pixels, int components, const glm::dvec2& center, double* sum) const
 {
+  const int count = Fixed ? Fixed : components;
   const Taps columns = this->FindTaps(center.x, 0);
   const Taps rows = this->FindTaps(center.y, 1);
   for (int j = 0; j < rows.Count; ++j)
@@ -153,10 +158,53 @@ void Rank1Resampler::SumTaps(
     {
       const double weight = rows.Weights[j] * columns.Weights[i];
       const T* pixel = line + std::int64_t{ components } * columns.Pixels[i];
-      for (int c = 0; c < components && weight != 0.0; ++c)
+      for (int c = 0; c < count && weight != 0.0; ++c)
       {
         sum[c] += weight * static_cast<double>(pixel[c]);
       }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <int Fixed, class T>
+void Rank1Resampler::ExecuteFixed(const T* pixels, int components, const glm::ivec2& tile,
+  std::int64_t first, std::int64_t last, T* texels) const
+{
+  CellCoverage::Row row = this->Cell.MakeRow();
+  const int count = Fixed ? Fixed : components;
+  std::vector<double> sums(count);
+  double* sum = sums.data();
+  const std::int64_t n = this->Lattice.GetNumberOfPoints();
+  const Rank1Lattice::Vector g = this->Lattice.GetGenerator();
+  const glm::dvec2 corner = glm::dvec2(tile) * this->PixelsPerTile;
+  const glm::dvec2 scale = this->PixelsPerTile / static_cast<double>(n);
+  Rank1Lattice::Vector point = this->Lattice.GetGridPoint(first);
+  for (std::int64_t i = first; i < last; ++i)
+  {
+    const glm::dvec2 center = corner + glm::dvec2(point) * scale;
+    point += g;
+    point.x -= point.x >= n ? n : 0;
+    point.y -= point.y >= n ? n : 0;
+    if (this->Filter == Rank1Filter::Nearest)
+    {
+      const std::int64_t x = this->Wrap(static_cast<int>(center.x), 0);
+      const std::int64_t y = this->Wrap(static_cast<int>(center.y), 1);
+      texels = std::copy_n(pixels + count * (x + this->Pixels.x * y), count, texels);
+      continue;
+    }
+    std::fill_n(sum, count, 0.0);
+    if (this->Filter == Rank1Filter::Box)
+    {
+      this->SumCell<Fixed>(pixels, count, center, row, sum);
+    }
+    else
+    {
+      this->SumTaps<Fixed>(pixels, count, center, sum);
+    }
+    for (int c = 0; c < count; ++c)
+    {
+      *texels++ = RoundTo<T>(sum[c]);
     }
   }
 }
@@ -166,31 +214,19 @@ template <class T>
 void Rank1Resampler::Execute(const T* pixels, int components, const glm::ivec2& tile,
   std::int64_t first, std::int64_t last, T* texels) const
 {
-  CellCoverage::Row row = this->Cell.MakeRow();
-  std::vector<double> sum(components);
-  for (std::int64_t i = first; i < last; ++i)
+  switch (components) // loops of known length are no loops
   {
-    const glm::dvec2 center = (glm::dvec2(tile) + this->Lattice.GetPoint(i)) * this->PixelsPerTile;
-    if (this->Filter == Rank1Filter::Nearest)
-    {
-      const std::int64_t x = this->Wrap(static_cast<int>(center.x), 0);
-      const std::int64_t y = this->Wrap(static_cast<int>(center.y), 1);
-      texels = std::copy_n(pixels + components * (x + this->Pixels.x * y), components, texels);
-      continue;
-    }
-    std::fill(sum.begin(), sum.end(), 0.0);
-    if (this->Filter == Rank1Filter::Box)
-    {
-      this->SumCell(pixels, components, center, row, sum.data());
-    }
-    else
-    {
-      this->SumTaps(pixels, components, center, sum.data());
-    }
-    for (int c = 0; c < components; ++c)
-    {
-      *texels++ = RoundTo<T>(sum[c]);
-    }
+    case 1:
+      this->ExecuteFixed<1>(pixels, components, tile, first, last, texels);
+      break;
+    case 3:
+      this->ExecuteFixed<3>(pixels, components, tile, first, last, texels);
+      break;
+    case 4:
+      this->ExecuteFixed<4>(pixels, components, tile, first, last, texels);
+      break;
+    default:
+      this->ExecuteFixed<0>(pixels, components, tile, first, last, texels);
   }
 }
 
