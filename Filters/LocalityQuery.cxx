@@ -8,6 +8,7 @@
 #include "vtkImplicitFunction.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace bravais
 {
@@ -124,6 +125,8 @@ bool LocalityQuery::Execute(vtkAlgorithm* self, const GeometryHierarchy& hierarc
   this->Result.Inside.clear();
   this->Result.Partly.clear();
   this->Leaves = 0;
+  this->CullTime = 0.0;
+  this->UnionTime = 0.0;
   self->UpdateProgress(begin);
   const GixelOctree& tree = hierarchy.GetTree();
   if (!hierarchy.GetGrid())
@@ -131,6 +134,7 @@ bool LocalityQuery::Execute(vtkAlgorithm* self, const GeometryHierarchy& hierarc
     self->UpdateProgress(1.0);
     return !self->GetAbortExecute(); // no gixel is used
   }
+  const auto start = std::chrono::steady_clock::now();
   if (volume.Test)
   {
     CullOctree(tree, *hierarchy.GetGrid(), *volume.Test, this->Result);
@@ -146,6 +150,8 @@ bool LocalityQuery::Execute(vtkAlgorithm* self, const GeometryHierarchy& hierarc
   {
     this->Result.Inside.push_back({ 0, 0 });
   }
+  const auto found = std::chrono::steady_clock::now();
+  this->CullTime = std::chrono::duration<double>(found - start).count();
   self->UpdateProgress(0.4 * begin + 0.6);
   this->Leaves = CountLeaves(tree, this->Result);
   const int depth = tree.GetDepth();
@@ -179,6 +185,7 @@ bool LocalityQuery::Execute(vtkAlgorithm* self, const GeometryHierarchy& hierarc
       PaintGixels(tree, { depth, leaf }, inside, mask);
     }
   }
+  this->UnionTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - found).count();
   self->UpdateProgress(1.0);
   return !self->GetAbortExecute();
 }

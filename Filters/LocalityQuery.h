@@ -26,6 +26,8 @@ public:
     const CullVolume& volume, bool refine, double begin, std::uint8_t* mask);
 
   std::uint64_t GetNumberOfLeaves() const { return this->Leaves; }
+  double GetCullTime() const { return this->CullTime; }   // seconds, to find the nodes
+  double GetUnionTime() const { return this->UnionTime; } // seconds, to unite their masks
 
   /// Compressed bytes of the masks of the nodes that were met, of the leaves below where a node has
   /// none.
@@ -39,6 +41,8 @@ private:
   CullResult Result;
   std::vector<std::uint8_t> Inside; // of each gixel, where only gixels can be asked
   std::uint64_t Leaves = 0;
+  double CullTime = 0.0;
+  double UnionTime = 0.0;
 };
 
 } // namespace bravais

@@ -323,6 +323,18 @@ vtkIdType vtkGeometryImageLocalityMask::GetUnionSize()
 }
 
 //------------------------------------------------------------------------------
+double vtkGeometryImageLocalityMask::GetCullTime()
+{
+  return this->Internal->Query.GetCullTime();
+}
+
+//------------------------------------------------------------------------------
+double vtkGeometryImageLocalityMask::GetUnionTime()
+{
+  return this->Internal->Query.GetUnionTime();
+}
+
+//------------------------------------------------------------------------------
 bool vtkGeometryImageLocalityMask::GetLeafMask(vtkIdType leaf, vtkUnsignedCharArray* mask)
 {
   Internals& own = *this->Internal;

@@ -193,6 +193,15 @@ public:
   vtkIdType GetUnionSize();
   ///@}
 
+  ///@{
+  /**
+   * Seconds that the last query took, to find the nodes that the volume meets, and then to unite
+   * their masks.
+   */
+  double GetCullTime();
+  double GetUnionTime();
+  ///@}
+
   /**
    * The mask of a leaf, one value a gixel, 0 or 1; leaves are in ascending order of their integer
    * cell (x << 2D) | (y << D) | z. A leaf that there is not is an error: it empties the array and

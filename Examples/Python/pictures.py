@@ -49,9 +49,14 @@ def render(renderers, size):
     window.SetSize(size)
     for renderer in renderers:
         window.AddRenderer(renderer)
+    return capture(window)
+
+
+def capture(window):
+    """What a window shows."""
     window.Render()
-    capture = vtkWindowToImageFilter()
-    capture.SetInput(window)
-    capture.ReadFrontBufferOff()
-    capture.Update()
-    return to_array(capture.GetOutput())
+    filter = vtkWindowToImageFilter()
+    filter.SetInput(window)
+    filter.ReadFrontBufferOff()
+    filter.Update()
+    return to_array(filter.GetOutput())

@@ -306,6 +306,12 @@ class TestGeometryImageLocalityMaskQueries(unittest.TestCase):
             self.assertEqual(algorithm.GetVisibleSize(), total)
             self.assertLess(algorithm.GetUnionSize(), total)
 
+    def test_times(self):
+        algorithm = run(make_surface(), make_functions()[0])
+        for time in algorithm.GetCullTime(), algorithm.GetUnionTime():
+            self.assertGreater(time, 0)
+            self.assertLess(time, 60)
+
     def get_triangles(self, image):
         points, used = get_points(image), get_used(image)
         width, height, _ = image.GetDimensions()
