@@ -14,7 +14,8 @@ build=$PWD/build/release
 HEAD_MRI=$(bravais_fetch_brain "$build/data")
 BRAIN_MRI=${HEAD_MRI/ch2/ch2bet}
 PICTURES=$build/pictures
-export HEAD_MRI BRAIN_MRI PICTURES
+BUNNY=$(bravais_fetch_bunny "$build/data")
+export HEAD_MRI BRAIN_MRI PICTURES BUNNY
 export PATH=$build/bin:$PWD/Examples/Python:/usr/bin:$PATH
 export PYTHONPATH=$build/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
 bravais_start_display

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
 #
-# Volumes that Debian's packages hold; sourced after Module/CMake/shell.sh from the project's root
+# Volumes and a mesh that Debian's packages hold; sourced after Module/CMake/shell.sh from the project's root
 # folder. The packages are unpacked into the build tree, not installed.
 #
 #   bravais_fetch_head <folder>    prints the path of a CT of a head, bravais_head_options its view
 #   bravais_fetch_brain <folder>   the same of an MRI of a head (Colin 27)
-# Both fail with a message if the file cannot be had or is not the expected one.
+#   bravais_fetch_bunny <folder>   that of a mesh, Stanford's bunny
+# All fail with a message if the file cannot be had or is not the expected one.
 
 bravais_head_options=(--inner 300 --outer -300 --isolate -300 --from 0.6 1 0.2 --zoom 1.7
   --focus 0.5 0.54 0.48 --detail 0.6 0.85 0.24 --detail-zoom 6)
@@ -52,5 +53,12 @@ bravais_fetch_brain() {
   local file=usr/share/mricron/templates/ch2.nii.gz
   bravais_unpack "$1" mricron-data "$file" \
     a009051127f64dc3dd554d5f5b589870ea72106d9642c21b4e7093e478cfc309 &&
+    echo "$1/$file"
+}
+
+bravais_fetch_bunny() {
+  local file=usr/share/glmark2/models/bunny.obj
+  bravais_unpack "$1" glmark2-data "$file" \
+    bff773d28c62e80187b2dfa8c6c8cc771a4c7707ddcdcf2e515913d322d1f548 &&
     echo "$1/$file"
 }

@@ -35,12 +35,19 @@ void PaintGixels(
 void LocalityQuery::Paint(
   const GeometryHierarchy& hierarchy, const OctreeNode& node, std::uint8_t* mask)
 {
-  // A code begins with what it skips, and its runs are long in large nodes only: a small node's
-  // gixels are written sooner one by one. Either way they are its mask's.
-  constexpr std::uint32_t few = 256;
+  // A node's gixels may be written one by one, or its mask's code run by run: the latter is sooner
+  // done where runs are long, as they are in large nodes.
+  constexpr std::ptrdiff_t gixelsAByte = 8; // written while a byte of a code is read
   const GixelOctree& tree = hierarchy.GetTree();
   const std::vector<std::uint32_t>& places = tree.GetLevel(node.Depth).Gixels;
-  if (hierarchy.GetMasks().Has(node.Depth) && places[node.Index + 1] - places[node.Index] > few)
+  const std::ptrdiff_t gixels = places[node.Index + 1] - places[node.Index];
+  bool byRuns = false;
+  if (hierarchy.GetMasks().Has(node.Depth))
+  {
+    const MaskStore::Code code = hierarchy.GetMasks().Get(node.Depth, node.Index);
+    byRuns = gixelsAByte * (code.End - code.Begin) < gixels;
+  }
+  if (byRuns)
   {
     hierarchy.GetMasks().Paint(node.Depth, node.Index, mask);
   }

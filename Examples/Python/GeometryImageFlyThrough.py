@@ -84,7 +84,6 @@ class View:
         self.image = vtkImageActor()
         self.image.InterpolateOff()
         self.renderers[2].AddActor(self.image)
-        self.look_from_aside()
 
     def add_frustum(self):
         source = vtkFrustumSource()
@@ -101,16 +100,21 @@ class View:
         self.frustum = source
         self.renderers[0].AddActor(frustum)
 
-    def look_from_aside(self):
+    def look_from_aside(self, flying):
+        """From the right of the flying camera, and a little above it, at the model before it."""
         low, high = self.model.low, self.model.high
         center, radius = (low + high) / 2, np.linalg.norm(high - low) / 2
+        position = np.array(flying.GetPosition())
+        aside = np.cross(flying.GetDirectionOfProjection(), (0, 1, 0))
+        focus = 0.6 * center + 0.4 * position
         camera = self.renderers[0].GetActiveCamera()
-        camera.SetFocalPoint(center + radius * np.array([0.5, 0, 0]))
-        camera.SetPosition(center + radius * np.array([1.8, 2.6, 4.4]))
-        camera.SetViewAngle(28)
-        camera.SetClippingRange(radius, 12 * radius)
+        camera.SetFocalPoint(focus)
+        camera.SetPosition(focus + radius * (3.4 * aside + np.array((0, 1.6, 0))))
+        camera.SetViewAngle(40)
+        camera.SetClippingRange(0.5 * radius, 9 * radius)
 
-    def update(self, equations):
+    def update(self, flying, equations):
+        self.look_from_aside(flying)
         self.planes.SetFrustumPlanes(equations)
         self.frustum.Modified()
         colors = self.model.paint_mask(self.level)
@@ -164,7 +168,7 @@ def main():
         camera.GetFrustumPlanes(1.0, equations)
         model.mask.Update()
         for view in views:
-            view.update(equations)
+            view.update(camera, equations)
         window.Render()
         masked = geometryimages.get_mask(model.mask.GetOutput()).mean()
         triangles = [view.surface.GetOutput().GetNumberOfPolys() for view in views]

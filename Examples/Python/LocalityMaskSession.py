@@ -13,7 +13,7 @@ import math
 import pathlib
 
 import numpy as np
-from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
+from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartLegend, vtkChartXY
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
@@ -26,7 +26,7 @@ import bravais
 import geometryimages
 import pictures
 
-COLORS = (0.8, 0.2, 0.1), (0.1, 0.3, 0.7), (0.1, 0.6, 0.2)
+COLORS = (204, 51, 26, 255), (26, 77, 179, 255), (26, 153, 51, 255)
 
 
 def place_camera(camera, share, low, high):
@@ -40,6 +40,16 @@ def place_camera(camera, share, low, high):
     camera.SetFocalPoint(center + 0.5 * radius * math.sin(5 * turn) * aside)
     camera.SetViewAngle(30)
     camera.SetClippingRange(0.01 * radius, 6 * radius)
+
+
+def measure_query(mask, repeats):
+    """Seconds of culling and of the union, the best of several."""
+    times = []
+    for _ in range(repeats):
+        mask.Modified()
+        mask.Update()
+        times.append((mask.GetCullTime(), mask.GetUnionTime()))
+    return np.min(times, axis=0)
 
 
 def measure(image, depth, encoding, frames, repeats):
@@ -62,16 +72,10 @@ def measure(image, depth, encoding, frames, repeats):
     rows = []
     for frame in range(frames):
         place_camera(camera, frame / frames, low, high)
-        times = []
-        for _ in range(repeats):
-            for mask in masks:
-                mask.Modified()
-                mask.Update()
-            times.append([masks[0].GetCullTime(), masks[0].GetUnionTime(),
-                          masks[1].GetCullTime(), masks[1].GetUnionTime()])
+        times = [measure_query(mask, repeats) for mask in masks]
         surface.Update()
         indices = 3 * 4 * surface.GetOutput().GetNumberOfPolys()
-        rows.append([masks[0].GetNumberOfVisibleLeaves(), *np.min(times, axis=0),
+        rows.append([masks[0].GetNumberOfVisibleLeaves(), *times[0], *times[1],
                      masks[1].GetVisibleSize(), masks[0].GetUnionSize(), indices])
     return np.array(rows, float)
 
@@ -83,7 +87,7 @@ def bin_by_leaves(rows, bins=12):
     return np.array([rows[which == n].mean(axis=0) for n in range(bins) if (which == n).any()])
 
 
-def make_chart(viewport, title, labels, columns, logarithmic=False):
+def make_chart(viewport, title, labels, columns, legend, logarithmic=False):
     """A renderer with a chart of lines over the first column."""
     table = vtkTable()
     for name, values in columns.items():
@@ -95,10 +99,12 @@ def make_chart(viewport, title, labels, columns, logarithmic=False):
     chart = vtkChartXY()
     chart.SetTitle(title)
     chart.SetShowLegend(True)
+    chart.GetLegend().SetHorizontalAlignment(legend[0])
+    chart.GetLegend().SetVerticalAlignment(legend[1])
     for n, color in zip(range(1, len(columns)), COLORS):
         plot = chart.AddPlot(vtkChart.LINE)
         plot.SetInputData(table, 0, n)
-        plot.SetColorF(*color)
+        plot.SetColor(*color)
         plot.SetWidth(1.5)
     for axis, label in zip((vtkAxis.BOTTOM, vtkAxis.LEFT), labels):
         chart.GetAxis(axis).SetTitle(label)
@@ -120,16 +126,16 @@ def plot(rows, path, width):
     frames = make_chart(
         (0, 2 / 3, 1, 1), "Culling, by frame", ("frame", "microseconds"),
         {"frame": np.arange(len(rows)), "with union": (rows[:, 1] + rows[:, 2]) * micro,
-         "without": rows[:, 1] * micro})
+         "without": rows[:, 1] * micro}, (vtkChartLegend.RIGHT, vtkChartLegend.TOP))
     leaves = make_chart(
         (0, 1 / 3, 1, 2 / 3), "Culling, by visible leaves", ("visible leaves", "microseconds"),
         {"leaves": means[:, 0], "leaf masks united": (means[:, 3] + means[:, 4]) * micro,
          "with internal masks": (means[:, 1] + means[:, 2]) * micro,
-         "without union": means[:, 1] * micro})
+         "without union": means[:, 1] * micro}, (vtkChartLegend.LEFT, vtkChartLegend.TOP))
     sizes = make_chart(
         (0, 0, 1, 1 / 3), "Bytes to send, by visible leaves", ("visible leaves", "bytes"),
         {"leaves": means[:, 0], "index list": means[:, 7], "leaf masks": means[:, 5],
-         "their union": means[:, 6]}, True)
+         "their union": means[:, 6]}, (vtkChartLegend.RIGHT, vtkChartLegend.CENTER), True)
     pictures.write(path, pictures.render([frames, leaves, sizes], (width, width * 3 // 2)))
 
 

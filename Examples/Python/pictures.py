@@ -55,8 +55,8 @@ def render(renderers, size):
 def capture(window):
     """What a window shows."""
     window.Render()
-    filter = vtkWindowToImageFilter()
-    filter.SetInput(window)
-    filter.ReadFrontBufferOff()
-    filter.Update()
-    return to_array(filter.GetOutput())
+    reader = vtkWindowToImageFilter()
+    reader.SetInput(window)
+    reader.ReadFrontBufferOff()
+    reader.Update()
+    return to_array(reader.GetOutput())

@@ -88,7 +88,7 @@ void BenchmarkQueries(vtkImageData* image, vtkPolyData* mesh, int argc, char** a
   {
     for (const bool refine : { false, true })
     {
-      for (const int depth : { 4, 5, 6 })
+      for (const int depth : { 4, 5 })
       {
         auto mask = vtkSmartPointer<vtkGeometryImageLocalityMask>::New();
         mask->SetInputData(image);
@@ -139,7 +139,7 @@ void BenchmarkBuilds(vtkImageData* image, vtkPolyData* mesh)
     });
   for (const int encoding : { 0, 1 })
   {
-    for (const int depth : { 4, 5, 6, 10 })
+    for (const int depth : { 5, 10 })
     {
       bravais::AddBenchmark(std::string("hierarchy and masks, ") + (encoding ? "Roaring" : "RLE") +
           ", depth " + std::to_string(depth),
@@ -314,7 +314,6 @@ int main(int argc, char* argv[])
     int none = 1;
     BenchmarkQueries(source->GetOutput(), surface->GetOutput(), none, argv);
     BenchmarkBuilds(source->GetOutput(), surface->GetOutput());
-    BenchmarkUnions(source->GetOutput(), 4);
     BenchmarkUnions(source->GetOutput(), 5);
   }
   return 0;
