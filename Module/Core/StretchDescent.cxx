@@ -54,12 +54,12 @@ struct StretchDescent::Internals
   }
   int GetNumberOfTriangles() const { return static_cast<int>(this->Shapes.size()); }
 
-  double GetStretch(const SurfaceParameters& parameters) const
+  double GetDistortion(const SurfaceParameters& parameters) const
   {
     double sum = 0.0;
     for (int t = 0; t < this->GetNumberOfTriangles(); ++t)
     {
-      sum += bravais::GetStretch(this->Shapes[Index(t)], GetCorners(this->Mesh, parameters, t));
+      sum += bravais::GetDistortion(this->Shapes[Index(t)], GetCorners(this->Mesh, parameters, t));
     }
     return sum;
   }
@@ -72,8 +72,10 @@ struct StretchDescent::Internals
       const TriangleShape& shape = this->Shapes[Index(t)];
       const auto u = GetCorners(this->Mesh, parameters, t);
       const glm::dvec2 edges[3] = { u[2] - u[1], u[0] - u[2], u[1] - u[0] };
-      const double scale = 1.0 / Cross(edges[0], edges[1]);
-      const double stretch = bravais::GetStretch(shape, u);
+      const DistortionFactor factor(shape.Area, Cross(edges[0], edges[1]));
+      const double m = -(shape.Squares[0] * glm::dot(edges[1], edges[2]) +
+        shape.Squares[1] * glm::dot(edges[2], edges[0]) +
+        shape.Squares[2] * glm::dot(edges[0], edges[1]));
       const std::array<int, 3> unknowns = this->GetUnknowns(t);
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -83,11 +85,10 @@ struct StretchDescent::Internals
           const glm::dvec2& b = edges[(k + 1) % 3];
           const glm::dvec2& c = edges[(k + 2) % 3];
           const double sign = parameters.GetCorner(3 * t + static_cast<int>(k)).Sign;
-          const glm::dvec2 numerator = -0.5 * shape.Area *
-            (shape.Squares[k] * (c - b) +
-              (shape.Squares[(k + 2) % 3] - shape.Squares[(k + 1) % 3]) * a);
-          const glm::dvec2 part =
-            sign * (numerator * scale * scale - 2.0 * stretch * scale * glm::dvec2(-a.y, a.x));
+          const glm::dvec2 numerator = -(shape.Squares[k] * (c - b) +
+            (shape.Squares[(k + 2) % 3] - shape.Squares[(k + 1) % 3]) * a);
+          const glm::dvec2 part = sign * 0.5 * shape.Area *
+            (factor.Value * numerator + m * factor.First * glm::dvec2(-a.y, a.x));
           gradient(unknowns[k], 0) += part.x;
           gradient(unknowns[k], 1) += part.y;
         }
@@ -104,7 +105,7 @@ struct StretchDescent::Internals
     {
       const auto u = GetCorners(this->Mesh, parameters, t);
       const double area = Cross(u[1] - u[0], u[2] - u[0]);
-      const double weight = bravais::GetStretch(this->Shapes[Index(t)], u) / (area * area);
+      const double weight = bravais::GetDistortion(this->Shapes[Index(t)], u) / (area * area);
       const std::array<int, 3> unknowns = this->GetUnknowns(t);
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -169,7 +170,7 @@ StretchDescent::~StretchDescent() = default;
 double StretchDescent::Descend(int steps, SurfaceParameters& parameters)
 {
   Internals& m = *this->Members;
-  const double start = m.GetStretch(parameters);
+  const double start = m.GetDistortion(parameters);
   if (m.Count == 0 || !std::isfinite(start) || !m.Factorize(parameters))
   {
     return 0.0;
@@ -210,7 +211,7 @@ double StretchDescent::Descend(int steps, SurfaceParameters& parameters)
     {
       parameters.Places = before;
       m.Move(direction, length, parameters);
-      next = m.GetStretch(parameters);
+      next = m.GetDistortion(parameters);
       if (next <= value + 1e-4 * length * slope)
       {
         break;

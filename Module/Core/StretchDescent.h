@@ -11,7 +11,7 @@
 namespace bravais
 {
 
-/// Lessens the stretch by moving all free vertices at once.
+/// Lessens the distortion, see DistortionFactor, by moving all free vertices at once.
 class StretchDescent
 {
 public:
@@ -20,9 +20,8 @@ public:
   ~StretchDescent();
 
   /// So many steps of the limited-memory BFGS method, whose first guess of the second derivatives
-  /// is a Laplacian of the plane weighted by each triangle's stretch. Steps are shortened until the
-  /// stretch falls, so no triangle is ever turned over. Returns how much of the stretch, as a
-  /// part of it, was removed.
+  /// is a Laplacian of the plane weighted by each triangle's distortion. Steps are shortened until
+  /// that falls, so no triangle is ever turned over. Returns which part of it was removed.
   double Descend(int steps, SurfaceParameters& parameters);
 
 private:

@@ -32,7 +32,7 @@ struct Wedge
   double Area;
 };
 
-/// Value, gradient and second derivatives of the stretch round a vertex.
+/// Value, gradient and second derivatives of the distortion round a vertex.
 struct Model
 {
   double Value = 0.0;
@@ -40,11 +40,10 @@ struct Model
   double XX = 0.0, XY = 0.0, YY = 0.0;
 };
 
-/// Stretch of a wedge is area * N / D^2, with N quadratic and D, twice the area, linear in u.
+/// M of DistortionFactor.
 double GetNumerator(const Wedge& w, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
-  return -0.5 * w.Area *
-    (w.Across * glm::dot(b, c) + w.ToLast * glm::dot(c, a) + w.ToNext * glm::dot(a, b));
+  return -(w.Across * glm::dot(b, c) + w.ToLast * glm::dot(c, a) + w.ToNext * glm::dot(a, b));
 }
 
 double Evaluate(const std::vector<Wedge>& ring, const glm::dvec2& u)
@@ -60,7 +59,7 @@ double Evaluate(const std::vector<Wedge>& ring, const glm::dvec2& u)
     {
       return std::numeric_limits<double>::infinity();
     }
-    sum += GetNumerator(w, a, b, c) / (d * d);
+    sum += 0.5 * w.Area * GetNumerator(w, a, b, c) * DistortionFactor(w.Area, d).Value;
   }
   return sum;
 }
@@ -73,16 +72,17 @@ Model Expand(const std::vector<Wedge>& ring, const glm::dvec2& u)
     const glm::dvec2 a = w.Last - w.Next;
     const glm::dvec2 b = u - w.Last;
     const glm::dvec2 c = w.Next - u;
-    const double d = 1.0 / Cross(a, b);
-    const double n = GetNumerator(w, a, b, c) * d * d;
-    const glm::dvec2 gd = glm::dvec2(-a.y, a.x) * d; // gradient of log D
-    const glm::dvec2 gn = -0.5 * w.Area * (w.Across * (c - b) + (w.ToNext - w.ToLast) * a) * d * d;
-    const double hn = w.Area * w.Across * d * d;
-    model.Value += n;
-    model.Gradient += gn - 2.0 * n * gd;
-    model.XX += hn - 4.0 * gn.x * gd.x + 6.0 * n * gd.x * gd.x;
-    model.XY += -2.0 * (gn.x * gd.y + gn.y * gd.x) + 6.0 * n * gd.x * gd.y;
-    model.YY += hn - 4.0 * gn.y * gd.y + 6.0 * n * gd.y * gd.y;
+    const DistortionFactor f(w.Area, Cross(a, b));
+    const double m = GetNumerator(w, a, b, c);
+    const glm::dvec2 gd(-a.y, a.x);
+    const glm::dvec2 gm = -(w.Across * (c - b) + (w.ToNext - w.ToLast) * a);
+    const double half = 0.5 * w.Area;
+    const double hm = 2.0 * w.Across * f.Value;
+    model.Value += half * m * f.Value;
+    model.Gradient += half * (f.Value * gm + m * f.First * gd);
+    model.XX += half * (hm + 2.0 * f.First * gm.x * gd.x + m * f.Second * gd.x * gd.x);
+    model.XY += half * (f.First * (gm.x * gd.y + gm.y * gd.x) + m * f.Second * gd.x * gd.y);
+    model.YY += half * (hm + 2.0 * f.First * gm.y * gd.y + m * f.Second * gd.y * gd.y);
   }
   return model;
 }

@@ -10,9 +10,9 @@
 namespace bravais
 {
 
-/// Moves each free vertex in turn to where the stretch of the triangles round it is least, by one
-/// Newton step that is halved until the stretch falls. No triangle is ever turned over. Returns the
-/// sum of the stretch that was removed.
+/// Moves each free vertex in turn to where the distortion of the triangles round it is least, see
+/// DistortionFactor, by one Newton step that is halved until it falls. No triangle is ever turned
+/// over. Returns how much was removed.
 double RelaxStretch(const TriangleTopology& mesh, const std::vector<TriangleShape>& shapes,
   SurfaceParameters& parameters);
 

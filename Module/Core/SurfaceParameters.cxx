@@ -73,6 +73,18 @@ double GetStretch(const TriangleShape& shape, const std::array<glm::dvec2, 3>& u
 }
 
 //------------------------------------------------------------------------------
+double GetDistortion(const TriangleShape& shape, const std::array<glm::dvec2, 3>& u)
+{
+  const double stretch = GetStretch(shape, u);
+  if (!std::isfinite(stretch))
+  {
+    return stretch;
+  }
+  const double d = Cross(u[1] - u[0], u[2] - u[0]);
+  return stretch * d * d * DistortionFactor(shape.Area, d).Value;
+}
+
+//------------------------------------------------------------------------------
 std::array<glm::dvec2, 3> GetCorners(
   const TriangleTopology& mesh, const SurfaceParameters& parameters, int triangle)
 {

@@ -45,6 +45,23 @@ std::vector<TriangleShape> GetShapes(
 /// positive.
 double GetStretch(const TriangleShape& shape, const std::array<glm::dvec2, 3>& u);
 
+/// What is lessened: the stretch, and a tenth of the stretch of the inverse map, so that no
+/// direction is sampled much more densely than the other, which stretch alone does not mind. With M
+/// / D^2 the sum of the squared singular values, D twice the area in the plane and A the surface's,
+/// all of which sum to that of the plane, it is A M F(D) / 2, F(D) = 1 / D^2 + 0.1 / (4 A^2).
+struct DistortionFactor
+{
+  DistortionFactor(double area, double d)
+    : Value(1.0 / (d * d) + Inverse / (4.0 * area * area))
+    , First(-2.0 / (d * d * d))
+    , Second(6.0 / (d * d * d * d))
+  {
+  }
+  static constexpr double Inverse = 0.1;
+  double Value, First, Second; // and its derivatives
+};
+double GetDistortion(const TriangleShape& shape, const std::array<glm::dvec2, 3>& u);
+
 /// Corners of a triangle in the plane.
 std::array<glm::dvec2, 3> GetCorners(
   const TriangleTopology& mesh, const SurfaceParameters& parameters, int triangle);

@@ -34,6 +34,20 @@ SurfaceParametrization::SurfaceParametrization(const TriangleTopology& mesh,
   , Shapes(GetShapes(mesh, points))
   , Tell(std::move(progress))
 {
+  double area = 0.0;
+  for (const TriangleShape& shape : this->Shapes)
+  {
+    area += shape.Area;
+  }
+  for (TriangleShape& shape : this->Shapes)
+  {
+    const double scale = size.x * size.y / area;
+    shape.Area *= scale;
+    for (double& square : shape.Squares)
+    {
+      square *= scale;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -120,7 +134,7 @@ double SurfaceParametrization::Loosen(SpringEmbedding& springs, int solves,
 bool SurfaceParametrization::Descend(int rounds, SurfaceParameters& parameters)
 {
   constexpr int steps = 20;
-  constexpr double least = 0.01; // of the stretch, removed by a round that is worth the next one
+  constexpr double least = 0.01; // of the distortion, removed by a round that is worth the next one
   StretchDescent descent(this->Mesh, this->Shapes, parameters);
   for (int n = 0; n < rounds; ++n)
   {
