@@ -17,10 +17,11 @@
 #include <cmath>
 
 std::vector<float> DrawAtPoints(vtkOpenGLRenderWindow* window, const std::string& declarations,
-  const std::string& implementation, const std::vector<float>& points,
+  const std::string& implementation, const std::vector<float>& points, int numbers,
   const std::function<void(vtkShaderProgram*)>& prepare)
 {
-  const auto side = static_cast<int>(std::lround(std::sqrt(points.size() / 4)));
+  const std::size_t count = points.size() / numbers;
+  const auto side = static_cast<int>(std::lround(std::sqrt(count)));
   std::string source = vtkOpenGLRenderUtilities::GetFullScreenQuadFragmentShaderTemplate();
   vtkShaderProgram::Substitute(
     source, "//VTK::FSQ::Decl", "uniform sampler2D points;\nvec4 point;\n" + declarations);
@@ -28,7 +29,7 @@ std::vector<float> DrawAtPoints(vtkOpenGLRenderWindow* window, const std::string
     source, "//VTK::FSQ::Impl", "point = texture(points, texCoord);\n" + implementation);
   vtkNew<vtkTextureObject> places;
   places->SetContext(window);
-  places->Create2DFromRaw(side, side, 4, VTK_FLOAT, const_cast<float*>(points.data()));
+  places->Create2DFromRaw(side, side, numbers, VTK_FLOAT, const_cast<float*>(points.data()));
   vtkNew<vtkTextureObject> target;
   target->SetContext(window);
   target->Allocate2D(side, side, 4, VTK_FLOAT);
@@ -54,7 +55,7 @@ std::vector<float> DrawAtPoints(vtkOpenGLRenderWindow* window, const std::string
   places->Deactivate();
 
   vtkPixelBufferObject* download = target->Download();
-  std::vector<float> result(points.size());
+  std::vector<float> result(4 * count);
   const auto* mapped = static_cast<const float*>(download->MapPackedBuffer());
   std::copy_n(mapped, result.size(), result.begin());
   download->UnmapPackedBuffer();

@@ -8,6 +8,7 @@
 #include "BCCLattice.h"
 #include "BoxSpline.h"
 #include "FindRoot.h"
+#include "ShaderDrawing.h"
 #include "vtkBCCCoefficientTexels.h"
 #include "vtkBCCLattice.h"
 #include "vtkBCCVolumeFrame.h"
@@ -18,23 +19,16 @@
 #include "vtkLogger.h"
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
-#include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkPixelBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -87,52 +81,6 @@ vtkSmartPointer<vtkTextureObject> MakeTexture(vtkOpenGLRenderWindow* window)
   return texture;
 }
 
-// Four numbers at each point, by a shader that has the point as `point`.
-std::vector<float> Draw(vtkOpenGLRenderWindow* window, const std::string& declarations,
-  const std::string& implementation, const std::vector<float>& points,
-  const std::function<void(vtkShaderProgram*)>& prepare)
-{
-  std::string source = vtkOpenGLRenderUtilities::GetFullScreenQuadFragmentShaderTemplate();
-  vtkShaderProgram::Substitute(
-    source, "//VTK::FSQ::Decl", "uniform sampler2D points;\nvec3 point;\n" + declarations);
-  vtkShaderProgram::Substitute(
-    source, "//VTK::FSQ::Impl", "point = texture(points, texCoord).xyz;\n" + implementation);
-  auto places = MakeTexture(window);
-  places->Create2DFromRaw(Width, Height, 3, VTK_FLOAT, const_cast<float*>(points.data()));
-  auto target = MakeTexture(window);
-  target->Allocate2D(Width, Height, 4, VTK_FLOAT);
-
-  vtkNew<vtkOpenGLFramebufferObject> buffer;
-  buffer->SetContext(window);
-  window->GetState()->PushFramebufferBindings();
-  buffer->Bind();
-  buffer->AddColorAttachment(0, target);
-  buffer->ActivateDrawBuffer(0);
-  buffer->StartNonOrtho(Width, Height);
-  vtkOpenGLState::ScopedglEnableDisable blend(window->GetState(), GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable depth(window->GetState(), GL_DEPTH_TEST);
-  window->GetState()->vtkglDisable(GL_BLEND);
-  window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  vtkOpenGLQuadHelper quad(window, nullptr, source.c_str(), "");
-  places->Activate();
-  quad.Program->SetUniformi("points", places->GetTextureUnit());
-  prepare(quad.Program);
-  quad.Render();
-  quad.ReleaseGraphicsResources(window);
-  window->GetState()->PopFramebufferBindings();
-
-  vtkPixelBufferObject* download = target->Download();
-  std::vector<float> result(4 * Width * Height);
-  const auto* mapped = static_cast<const float*>(download->MapPackedBuffer());
-  std::copy_n(mapped, result.size(), result.begin());
-  download->UnmapPackedBuffer();
-  download->Delete();
-  places->ReleaseGraphicsResources(window);
-  target->ReleaseGraphicsResources(window);
-  buffer->ReleaseGraphicsResources(window);
-  return result;
-}
-
 // The value (x) and gradient (yzw) of one component of the spline at each point.
 std::vector<float> DrawSpline(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
   const vtkBCCCoefficientTexels& texels, const std::vector<float>& points, int component)
@@ -147,13 +95,13 @@ std::vector<float> DrawSpline(vtkOpenGLRenderWindow* window, bravais::BCCKernel 
   coefficients->Activate();
   const std::string channel =
     texels.Components == 1 ? std::string() : "[" + std::to_string(component) + "]";
-  const auto result = Draw(window,
+  const auto result = DrawAtPoints(window,
     "uniform sampler3D coefficients;\n" +
       vtkBCCVolumeShaderText::GetSpline(kernel, texels.Components, "coefficients"),
-    "BCC_VALUE x, y, z;\nBCC_VALUE value = EvaluateBoxSpline(point, x, y, z);\n"
+    "BCC_VALUE x, y, z;\nBCC_VALUE value = EvaluateBoxSpline(point.xyz, x, y, z);\n"
     "gl_FragData[0] = vec4(value" +
       channel + ", x" + channel + ", y" + channel + ", z" + channel + ");\n",
-    points,
+    points, 3,
     [&](vtkShaderProgram* program)
     {
       program->SetUniformi("coefficients", coefficients->GetTextureUnit());
@@ -182,10 +130,10 @@ bool CompareRoots(vtkOpenGLRenderWindow* window, vtkMinimalStandardRandomSequenc
     points.insert(
       points.end(), { static_cast<float>(x), static_cast<float>(y), static_cast<float>(z) });
   }
-  const auto drawn = Draw(window,
+  const auto drawn = DrawAtPoints(window,
     "float BCCDifference(float s) { return point.x + s * (point.y + s * s * point.z); }\n" +
       vtkBCCVolumeShaderText::GetFindRoot(),
-    "gl_FragData[0] = vec4(FindRoot(point.x, point.x + point.y + point.z));\n", points,
+    "gl_FragData[0] = vec4(FindRoot(point.x, point.x + point.y + point.z));\n", points, 3,
     [](vtkShaderProgram*) {});
   double error = 0;
   for (int i = 0; i < Width * Height; ++i)

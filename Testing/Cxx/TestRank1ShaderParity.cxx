@@ -108,7 +108,7 @@ struct Texture
   {
     this->Texels.Texture->Activate();
     const auto result = DrawAtPoints(window,
-      vtkRank1ShaderText::GetLookUp(this->Input, interpolation, 1), implementation, points,
+      vtkRank1ShaderText::GetLookUp(this->Input, interpolation, 1), implementation, points, 4,
       [this](vtkShaderProgram* program)
       {
         this->Input.SetUniforms(program);
