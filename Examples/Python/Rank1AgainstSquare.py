@@ -3,19 +3,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Errors of rank-1 and of square textures of as many texels, of photographs and a checkerboard.
 
-    Rank1AgainstSquare.py FOLDER [PICTURE ... | --download] [--side N] [--resolutions FIRST LAST STEP]
+    Rank1AgainstSquare.py FOLDER [PICTURE ... | --download] [--side N]
+                          [--resolutions FIRST LAST STEP]
 
 repeats the experiment of figure 8 of Dammertz, Dammertz, Keller and Lensch, Textures on Rank-1
 Lattices, and writes rank1-against-square.png to FOLDER. Both textures of r x r texels are box
-filtered, so that a texel is the mean of its cell, a square or about a hexagon. The error is the mean
-square difference from the picture, grey and 0 to 1, of the nearest texel everywhere and of
+filtered, so that a texel is the mean of its cell, a square or about a hexagon. The error is the
+mean square difference from the picture, grey and 0 to 1, of the nearest texel everywhere and of
 interpolation, bilinear and barycentric.
 
 Of a picture the central square is taken, at most --side pixels, and mirrored both ways, as textures
 are periodic: else what is measured is how its opposite edges differ. The side is a prime number by
-default, so that no texture's squares are whole blocks of pixels. The checkerboard's are, at 128, 256,
-384 and 512. --download takes three photographs of Debian's lomiri-wallpapers-16.04; without pictures
-a few are generated.
+default, so that no texture's squares are whole blocks of pixels. The checkerboard's are, at 128,
+256, 384 and 512. --download takes three photographs of Debian's lomiri-wallpapers-16.04; without
+pictures a few are generated.
 """
 import argparse
 import pathlib

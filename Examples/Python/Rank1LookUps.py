@@ -133,7 +133,8 @@ def main():
     size = len(MODES) * PANEL, 2 * PANEL
     blank = vtkRenderer()  # the panel beside the picture
     blank.SetBackground(1, 1, 1)
-    pictures.write(options.folder / "rank1-look-ups.png", pictures.render([blank] + renderers, size))
+    pixels = pictures.render([blank] + renderers, size)
+    pictures.write(options.folder / "rank1-look-ups.png", pixels)
 
 
 main()

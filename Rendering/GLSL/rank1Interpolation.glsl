@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which texels a point takes, and with what weights: the nearest one, by bilinear and by barycentric
-// interpolation. The twins are in Module/Core/Rank1Interpolation.h.
+// Which texels a point takes, and with what weights: the nearest one, by bilinear and by
+// barycentric interpolation. The twins are in Module/Core/Rank1Interpolation.h.
 
 int FindRank1Nearest(Rank1Texture texture, vec2 uv)
 {

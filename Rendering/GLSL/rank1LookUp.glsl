@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The interpolated value of a level, and the colour of a place in the picture by the levels that its
-// footprint asks for.
+// The interpolated value of a level, and the colour of a place in the picture by the levels that
+// its footprint asks for.
 
 uniform vec2 in_rank1Density; // GetRank1Density of the base
 

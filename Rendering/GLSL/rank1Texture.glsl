@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The numbers of each level of a texture (vtkRank1TextureInput), and its texels: in index order, tile
-// after tile, in rows of a power of two.
+// The numbers of each level of a texture (vtkRank1TextureInput), and its texels: in index order,
+// tile after tile, in rows of a power of two.
 
 uniform vec4 in_rank1ToBasis[RANK1_LEVELS];
 uniform vec4 in_rank1Index[RANK1_LEVELS];  // n, k, l and the level's first row

@@ -12,8 +12,9 @@ import bravais
 import textures
 
 # n, generator, tiles: powers of two and not, Korobov and not, tiny ones, one tile and several.
-LATTICES = ((256, (1, 30), (1, 1)), (97, (5, 31), (1, 1)), (56, (4, 7), (3, 2)), (64, (1, 14), (2, 2)),
-            (2048, (31, 39), (1, 1)), (3, (1, 2), (2, 1)), (1, (0, 0), (3, 3)))
+LATTICES = ((256, (1, 30), (1, 1)), (97, (5, 31), (1, 1)), (56, (4, 7), (3, 2)),
+            (64, (1, 14), (2, 2)), (2048, (31, 39), (1, 1)), (3, (1, 2), (2, 1)),
+            (1, (0, 0), (3, 3)))
 
 
 def sample(texture, places, footprints=None, mode="Barycentric", level_filter="Trilinear"):
@@ -77,7 +78,7 @@ class Perspective:
         self.camera = camera
 
     def find_places(self, offset):
-        """(u, v) on the plane at pixels' centres moved by an offset, and where the plane is seen."""
+        """(u, v) at pixels' centres moved by an offset, and where the plane is seen."""
         matrix = self.camera.GetCompositeProjectionTransformMatrix(1, -1, 1)
         entries = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
         # Pixel and plane z = 0: three equations for x, y and w.
@@ -187,8 +188,8 @@ class TestRank1TexturedMapperLookUp(unittest.TestCase):
         return pyramid.GetOutput()
 
     def test_receding_plane(self):
-        """Levels follow the footprint. Where rounding of the derivatives decides on a nearest level,
-        either may be taken."""
+        """Levels follow the footprint. Where rounding of the derivatives decides on a nearest
+        level, either may be taken."""
         for kind, n, tiles in (("MipLevels", 4096, (1, 1)), ("MipLevels", 1000, (2, 1)),
                                ("RSet", 128, (8, 4))):
             texture = self.make_pyramid(kind, n, tiles)

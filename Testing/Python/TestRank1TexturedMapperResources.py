@@ -59,7 +59,8 @@ class TestRank1TexturedMapperResources(unittest.TestCase):
     def test_textures_of_other_sizes_types_components_and_levels(self):
         """Each is drawn as by a mapper of its own."""
         small = textures.make_texture(64, (1, 14))
-        for texture in (textures.make_texture(97, (5, 31), 1), textures.make_texture(97, (5, 31), 4),
+        for texture in (textures.make_texture(97, (5, 31), 1),
+                        textures.make_texture(97, (5, 31), 4),
                         textures.make_texture(20000, (1, 137), 3, np.float32),
                         textures.make_texture(64, (1, 14), 2, np.uint16, (3, 2)),
                         textures.make_pyramid([self.texture, small]), self.texture):
