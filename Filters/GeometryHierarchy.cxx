@@ -56,7 +56,7 @@ bool CheckParameters(const GeometryHierarchy::Parameters& parameters, std::strin
 }
 
 /// The box of the used gixels; Low is above High if there is none. False if aborted.
-bool GetBounds(vtkAlgorithm* self, const GixelView& view, double end, Box& bounds)
+bool GetBounds(vtkAlgorithm* self, const GixelView& view, double begin, double end, Box& bounds)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Box> rows(
@@ -75,7 +75,7 @@ bool GetBounds(vtkAlgorithm* self, const GixelView& view, double end, Box& bound
     }
     rows[static_cast<std::size_t>(j)] = box;
   };
-  if (!ForEachSlice(self, 0, static_cast<int>(view.GetHeight()) - 1, row, 0.0, end))
+  if (!ForEachSlice(self, 0, static_cast<int>(view.GetHeight()) - 1, row, begin, end))
   {
     return false;
   }
@@ -140,7 +140,7 @@ void GeometryHierarchy::Clear()
 
 //------------------------------------------------------------------------------
 bool GeometryHierarchy::Build(vtkAlgorithm* self, vtkImageData* image, const Parameters& parameters,
-  double end, std::string& why)
+  double begin, double end, std::string& why)
 {
   this->Clear();
   why.clear();
@@ -156,7 +156,8 @@ bool GeometryHierarchy::Build(vtkAlgorithm* self, vtkImageData* image, const Par
     return false;
   }
   Box bounds;
-  if (!GetBounds(self, view, 0.2 * end, bounds) ||
+  const auto at = [=](double share) { return begin + share * (end - begin); };
+  if (!GetBounds(self, view, begin, at(0.2), bounds) ||
     !MakeGrid(parameters, view, bounds, this->Grid, why))
   {
     this->Clear();
@@ -177,7 +178,7 @@ bool GeometryHierarchy::Build(vtkAlgorithm* self, vtkImageData* image, const Par
     }
   };
   const int rows = static_cast<int>(view.GetHeight());
-  if (this->Grid && !ForEachSlice(self, 0, rows - 1, row, 0.2 * end, 0.5 * end))
+  if (this->Grid && !ForEachSlice(self, 0, rows - 1, row, at(0.2), at(0.5)))
   {
     this->Clear();
     return false;
@@ -186,7 +187,7 @@ bool GeometryHierarchy::Build(vtkAlgorithm* self, vtkImageData* image, const Par
   this->Masks =
     MaskStore(this->Tree, codes.size(), parameters.Encoding, parameters.StoreInternalMasks);
   const auto encode = [&](int depth) { this->Masks.Encode(this->Tree, depth); };
-  if (!ForEachSlice(self, 0, parameters.MaximumDepth, encode, 0.7 * end, end))
+  if (!ForEachSlice(self, 0, parameters.MaximumDepth, encode, at(0.7), end))
   {
     this->Clear();
     return false;

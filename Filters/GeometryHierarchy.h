@@ -35,11 +35,12 @@ public:
   /// Whether it is that of the image, as it now is, and the parameters.
   bool IsOf(vtkImageData* image, const Parameters& parameters) const;
 
-  /// From an image that CheckGeometryImage has passed. Progress goes to `self` from 0 to `end`.
+  /// From an image that CheckGeometryImage has passed. Progress goes to `self` from `begin`
+  /// to `end`.
   /// False, with a reason, for parameters or positions that are not good, and, without one, if
   /// aborted; it is then empty.
-  bool Build(vtkAlgorithm* self, vtkImageData* image, const Parameters& parameters, double end,
-    std::string& why);
+  bool Build(vtkAlgorithm* self, vtkImageData* image, const Parameters& parameters, double begin,
+    double end, std::string& why);
   void Clear();
 
   const std::optional<CellGrid>& GetGrid() const { return this->Grid; } // none if no gixel is used

@@ -199,8 +199,8 @@ int vtkGeometryImageLocalityMask::RequestData(vtkInformation* vtkNotUsed(request
   if (!own.Hierarchy.IsOf(input, parameters))
   {
     own.ForgetQuery();
-    done = BuildShare;
-    if (!own.Hierarchy.Build(this, input, parameters, done, why))
+    done = other ? 0.5 * BuildShare : BuildShare;
+    if (!own.Hierarchy.Build(this, input, parameters, 0.0, done, why))
     {
       return stop(why);
     }
@@ -211,10 +211,13 @@ int vtkGeometryImageLocalityMask::RequestData(vtkInformation* vtkNotUsed(request
   if (other && !this->CullFunction && !this->Camera)
   {
     std::fill_n(parameters.RootCube, 4, 0.0);
-    if (!own.Other.IsOf(other, parameters) &&
-      !own.Other.Build(this, other, parameters, BuildShare, why))
+    if (!own.Other.IsOf(other, parameters))
     {
-      return stop(why.empty() ? why : "At input port 1: " + why);
+      if (!own.Other.Build(this, other, parameters, done, BuildShare, why))
+      {
+        return stop(why.empty() ? why : "At input port 1: " + why);
+      }
+      done = BuildShare;
     }
     volume.Test = own.Other.GetGrid()
       ? std::unique_ptr<bravais::VolumeTest>(

@@ -50,7 +50,8 @@
  * order; an AspectRatio that is not positive.
  *
  * @code{.py}
- * mask = vtkGeometryImageLocalityMask(cull_function=planes)
+ * mask = vtkGeometryImageLocalityMask()
+ * mask.SetCullFunction(planes)
  * mask.SetInputConnection(source.GetOutputPort())
  * mask.Update()
  * @endcode

@@ -25,7 +25,8 @@
  * memory can hold.
  *
  * @code{.py}
- * reader = vtkGeometryImageReader(file_name="bunny.gim")
+ * reader = vtkGeometryImageReader()
+ * reader.SetFileName("bunny.gim")
  * reader.Update()
  * @endcode
  *

@@ -30,7 +30,7 @@
  * frequency that is not finite.
  *
  * @code{.py}
- * source = vtkGeometryImageSource(dimensions=(257, 257))
+ * source = vtkGeometryImageSource()
  * source.SetShapeToBumpySphere()
  * source.Update()
  * @endcode

@@ -11,7 +11,8 @@
  * written, and a format that would not keep floats. Write() then sets the ErrorCode.
  *
  * @code{.py}
- * writer = vtkGeometryImageWriter(file_name="sphere.gim")
+ * writer = vtkGeometryImageWriter()
+ * writer.SetFileName("sphere.gim")
  * writer.SetInputConnection(source.GetOutputPort())
  * writer.Write()
  * @endcode

@@ -222,7 +222,7 @@ class TestGeometryImageLocalityMaskBadInput(unittest.TestCase):
             self.assertGreater(algorithm.GetUncompressedSize(False), nodes * 32000)  # 16 GB
             self.assertLess(algorithm.GetCompressedSize(False), nodes * 24)
         grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) * 1024
-        self.assertLess(grown, 200 * nodes)  # two hierarchies and what they are made with
+        self.assertLess(grown, 1000 * nodes)  # checked memory, which is several times as large, too
 
 
 if __name__ == "__main__":
