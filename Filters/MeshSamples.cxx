@@ -120,7 +120,7 @@ void MeshSamples::AddSplitPoints()
   for (const Ends& edge : this->Layout.GetSplitEdges())
   {
     points->InterpolateTuple(next, edge[0], points, edge[1], points, 0.5);
-    attributes->InterpolateEdge(attributes, next, edge[0], edge[1], 0.5);
+    attributes->InterpolateEdge(this->Attributes, next, edge[0], edge[1], 0.5);
     ++next;
   }
   this->Points = points;

@@ -3,7 +3,7 @@
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import (
@@ -297,8 +297,10 @@ class TestPolyDataToGeometryImage(unittest.TestCase):
         mesh = make_mesh(np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0)], float), [(0, 1, 2)])
         array = numpy_to_vtk(np.array([1.0, 2.0, 3.0]), deep=True)
         array.SetName("values")
+        mesh.GetPointData().SetGlobalIds(numpy_to_vtkIdTypeArray(np.arange(3), deep=True))
         mesh.GetPointData().SetScalars(array)
         output = run(mesh)
+        self.assertIsNone(output.GetPointData().GetGlobalIds())
         gixels = get_gixels(output)
         np.testing.assert_allclose(get_gixels(output, "values"),
                                    1 + gixels[..., 0] + 2 * gixels[..., 1], atol=1e-9)
