@@ -22,8 +22,8 @@
  * SIGGRAPH Asia 2015). Weights are first those of a conformal map, then divided by the stretch
  * where it is high (S. Yoshizawa, A. Belyaev, H.-P. Seidel, SMI 2004). For closed surfaces this is
  * done for each order of the four vertices that a tree of shortest ways suggests, and the best is
- * kept. Then the L2 stretch (P. V. Sander, J. Snyder, S. J. Gortler, H. Hoppe, SIGGRAPH 2001), and a
- * tenth of the inverse map's, are lessened by descent of all vertices, and of each in turn, in
+ * kept. Then the L2 stretch (P. V. Sander, J. Snyder, S. J. Gortler, H. Hoppe, SIGGRAPH 2001), and
+ * a tenth of the inverse map's, are lessened by descent of all vertices, and of each in turn, in
  * rounds, at most `Rounds` of them, until a round removes less than a hundredth.
  *
  * Input: polygons and triangle strips, which are triangulated; vertices and lines are left out.
