@@ -13,11 +13,16 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCBrickTexture
   vtkBCCCoefficientArray
   vtkBCCCoefficientTexels
+  vtkBCCDepthWatch
+  vtkBCCPictureState
+  vtkBCCProgress
+  vtkBCCProgressiveFrame
   vtkBCCRenderChecks
   vtkBCCShaderCheck
   vtkBCCVolumeFrame
   vtkBCCVolumeInput
   vtkBCCVolumeMask
+  vtkBCCVolumeRays
   vtkBCCVolumeShaderStage
   vtkBCCVolumeShaderText
   vtkRank1ShaderText
@@ -33,6 +38,7 @@ set(BRAVAIS_SHADERS
   bcc8Polynomial
   bccBoxSpline
   bccCubicSpline
+  bccDepthWatch
   bccFindRoot
   bccFrame
   bccGrazing
@@ -46,10 +52,13 @@ set(BRAVAIS_SHADERS
   bccNothing
   bccNowhere
   bccPicking
+  bccPixelRay
   bccRay
   bccRayCast
+  bccShowTraced
   bccSkip
   bccSkipImpl
+  bccSmallPicture
   bccVolume
   rank1BoxSpline
   rank1FragmentImpl

@@ -6,6 +6,9 @@
 #include "BCCCoefficients.h"
 #include "BCCPrefilter.h"
 #include "vtkBCCLattice.h"
+#include "vtkBCCPictureState.h"
+#include "vtkBCCProgress.h"
+#include "vtkBCCProgressiveFrame.h"
 #include "vtkBCCRenderChecks.h"
 #include "vtkBCCVolumeInput.h"
 #include "vtkBCCVolumeMask.h"
@@ -18,16 +21,22 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderProperty.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+#include "vtk_glew.h"
 
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkBCCVolumeMapper);
 
@@ -49,6 +58,7 @@ public:
   vtkBCCVolumeInput Input;
   vtkNew<vtkBCCVolumeShaderStage> Stage;
   bool HasLabels = false;
+  vtkBCCProgress Progress;
   std::string LastError;
   vtkMTimeType LastErrorTime = 0;
 };
@@ -74,6 +84,9 @@ void vtkBCCVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoefficientError: " << this->GetCoefficientError() << "\n";
   os << indent << "IsoSurfaceRefinement: " << (this->IsoSurfaceRefinement ? "On" : "Off") << "\n";
   os << indent << "JitterPattern: " << this->GetJitterPatternAsString() << "\n";
+  os << indent << "ProgressiveRefinement: " << (this->ProgressiveRefinement ? "On" : "Off") << "\n";
+  os << indent << "ProgressivePatternSize: " << this->ProgressivePatternSize << "\n";
+  os << indent << "ProgressComplete: " << (this->GetProgressComplete() ? "Yes" : "No") << "\n";
   os << indent << "CoefficientTime: " << this->GetCoefficientTime() << "\n";
 }
 
@@ -193,16 +206,32 @@ double* vtkBCCVolumeMapper::GetBounds()
 }
 
 //------------------------------------------------------------------------------
+bool vtkBCCVolumeMapper::CheckPatterns(std::string& why) const
+{
+  if (this->JitterPattern < NoJitter || this->JitterPattern > BayerJitter)
+  {
+    why = "JitterPattern is " + std::to_string(this->JitterPattern) +
+      "; it has to be 0 (None), 1 (VTK) or 2 (Bayer).";
+    return false;
+  }
+  const int size = this->ProgressivePatternSize;
+  if (size != 2 && size != 4 && size != 8)
+  {
+    why = "ProgressivePatternSize is " + std::to_string(size) + "; it has to be 2, 4 or 8.";
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::string& why)
 {
   if (!vtkBCCRenderChecks::Check(this, volume, why))
   {
     return false;
   }
-  if (this->JitterPattern < NoJitter || this->JitterPattern > BayerJitter)
+  if (!this->CheckPatterns(why))
   {
-    why = "JitterPattern is " + std::to_string(this->JitterPattern) +
-      "; it has to be 0 (None), 1 (VTK) or 2 (Bayer).";
     return false;
   }
   if (vtkAlgorithm* source = this->GetInputCount() == 1 ? this->GetInputAlgorithm(0, 0) : nullptr)
@@ -257,10 +286,81 @@ void vtkBCCVolumeMapper::Update()
 }
 
 //------------------------------------------------------------------------------
+bool vtkBCCVolumeMapper::GetProgressComplete() const
+{
+  return this->Impl->Progress.IsComplete();
+}
+
+//------------------------------------------------------------------------------
 void vtkBCCVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Impl->Progress.Release();
   this->Impl->Stage->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeMapper::IsShown(vtkRenderer* renderer) const
+{
+  return !renderer->GetSelector() && !this->RenderToImage && !this->GeneratingCanonicalView;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeMapper::IsTracedInPasses(vtkRenderer* renderer, vtkVolume* volume) const
+{
+  return this->ProgressiveRefinement && this->IsShown(renderer) &&
+    this->ImageSampleDistance == 1.0f && !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
+}
+
+//------------------------------------------------------------------------------
+vtkBCCProgressiveFrame* vtkBCCVolumeMapper::StartPass(
+  vtkRenderer* renderer, vtkVolume* volume, bool depth)
+{
+  // VTK adjusts sample distances to the time that the last frame took, if it took any.
+  this->TimeToDraw = 0.0;
+  this->ReductionFactor = 1.0;
+
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkBCCProgressiveFrame::Layout layout;
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, layout.Viewport.data());
+  layout.Log2BlockSize =
+    this->ProgressivePatternSize == 8 ? 3 : (this->ProgressivePatternSize == 4 ? 2 : 1);
+  layout.Depth = depth;
+  std::vector<double> state = vtkBCCPictureState::Get(renderer, volume, this);
+  state.push_back(static_cast<double>(this->GetCoefficientTime()));
+  vtkBCCProgressiveFrame* frame = this->Impl->Progress.GetFrame(renderer, volume);
+  frame->Prepare(window, layout, std::move(state));
+  return frame;
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::FinishPass(
+  vtkRenderer* renderer, vtkVolume* volume, vtkBCCProgressiveFrame* frame)
+{
+  bool complete = true; // if VTK finds nothing to draw, too
+  if (frame && frame->IsTracing())
+  {
+    frame->StopTracing();
+    frame->Show(
+      [&](vtkShaderProgram* program)
+      {
+        this->DoGPURender(renderer, vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera()),
+          program, vtkOpenGLShaderProperty::SafeDownCast(volume->GetShaderProperty()));
+      });
+    complete = frame->IsComplete();
+  }
+  if (!this->IsShown(renderer))
+  {
+    return;
+  }
+  if (!this->ProgressiveRefinement)
+  {
+    this->Impl->Progress.Release();
+  }
+  if (this->Impl->Progress.Finish(renderer, volume, complete) && frame)
+  {
+    this->InvokeEvent(ProgressCompleteEvent);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -315,6 +415,8 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   options.UserHash = vtkBCCShaderCheck::GetHash(volume);
   options.BayerJitter = this->JitterPattern == BayerJitter;
   options.HalfFloats = this->HalfFloatCoefficients;
+  options.PixelRays = !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
+  options.Progressive = this->IsTracedInPasses(renderer, volume);
   options.Components = impl.Input.Texels.Components;
   // Where a ray without surfaces ends tells VTK what is picked.
   if (this->EmptySpaceSkipping && (options.RefineRoots || !renderer->GetSelector()))
@@ -328,8 +430,12 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   this->ScalarMode = VTK_SCALAR_MODE_DEFAULT; // The stand-in has one array.
   impl.Stage->Begin(
     renderer, volume, options, impl.Input, colors ? impl.Input.GetNormalizer() : 1.0f);
+  vtkBCCProgressiveFrame* frame =
+    options.Progressive ? this->StartPass(renderer, volume, options.WriteDepth) : nullptr;
+  impl.Stage->SetTarget(frame);
   this->Superclass::Render(renderer, volume);
   impl.Stage->End();
+  this->FinishPass(renderer, volume, frame);
   this->ScalarMode = scalarMode;
 
   if (impl.Stage->GetShaderLog().empty())

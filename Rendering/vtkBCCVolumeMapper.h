@@ -44,11 +44,13 @@
 #define vtkBCCVolumeMapper_h
 
 #include "vtkBravaisModule.h" // For export macro
+#include "vtkCommand.h"       // For UserEvent
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 
 #include <memory> // For Internals
 #include <string> // For Prepare
 
+class vtkBCCProgressiveFrame;
 class vtkImageData;
 class vtkShaderProperty;
 
@@ -183,6 +185,39 @@ public:
   static void RemoveBayerJitter(vtkShaderProperty* property);
   ///@}
 
+  ///@{
+  /**
+   * Whether a picture is traced in passes, one for each call of Render(). Off by default. The
+   * viewport is cut into blocks of ProgressivePatternSize squared pixels, sides of 2, 4 (the
+   * default) or 8; each pass traces one ray of every block, in the order of vtkBayerPattern, and
+   * costs that fraction of a frame. Pixels that are not traced yet show the nearest that is. It
+   * starts anew if camera, viewport, data, lights, or any property of volume and mapper changes, or
+   * the depth of what is in front; so moving pictures are coarse. After the last pass the picture
+   * is the plain one, bit by bit, at the sample distance of a frame that has all the time: it is
+   * not adjusted to the time at hand. Each viewport keeps 16 bytes for each of its pixels, 20 if
+   * surfaces write depths.
+   *
+   * Whoever wants it completed keeps on calling Render() of the window until GetProgressComplete(),
+   * which is true if the pictures drawn last, of all viewports and volumes that this mapper is
+   * shown in, have all their rays. When it becomes true at the end of a pass, ProgressCompleteEvent
+   * is invoked; from within no picture can be rendered.
+   *
+   * Drawn at once and complete are pictures with an ImageSampleDistance other than 1 and those of
+   * other render passes, such as depth peeling of volumes. Selections, RenderToImage and canonical
+   * views are drawn at once too, and leave the passes alone.
+   */
+  vtkSetMacro(ProgressiveRefinement, bool);
+  vtkGetMacro(ProgressiveRefinement, bool);
+  vtkBooleanMacro(ProgressiveRefinement, bool);
+  vtkSetMacro(ProgressivePatternSize, int);
+  vtkGetMacro(ProgressivePatternSize, int);
+  bool GetProgressComplete() const;
+  enum
+  {
+    ProgressCompleteEvent = vtkCommand::UserEvent + 1
+  };
+  ///@}
+
   /**
    * The time at which the coefficients in use were computed, 0 before the first rendering.
    */
@@ -217,6 +252,12 @@ private:
 
   bool Prepare(vtkRenderer* renderer, vtkVolume* volume, std::string& why);
   void ReportOnce(const std::string& why);
+  bool CheckPatterns(std::string& why) const;
+
+  bool IsShown(vtkRenderer* renderer) const;
+  bool IsTracedInPasses(vtkRenderer* renderer, vtkVolume* volume) const;
+  vtkBCCProgressiveFrame* StartPass(vtkRenderer* renderer, vtkVolume* volume, bool depth);
+  void FinishPass(vtkRenderer* renderer, vtkVolume* volume, vtkBCCProgressiveFrame* frame);
 
   int Kernel = 7;
   int Prefilter = 1;
@@ -226,6 +267,8 @@ private:
   bool MemoryIsLimited = false;
   bool IsoSurfaceRefinement = true;
   int JitterPattern = 0;
+  bool ProgressiveRefinement = false;
+  int ProgressivePatternSize = 4;
 };
 
 #endif

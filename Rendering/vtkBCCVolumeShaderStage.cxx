@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCVolumeShaderStage.h"
 
+#include "vtkBCCProgressiveFrame.h"
 #include "vtkBCCVolumeInput.h"
 #include "vtkBCCVolumeMask.h"
+#include "vtkBCCVolumeRays.h"
 #include "vtkBCCVolumeShaderText.h"
 
 #include "vtkHardwareSelector.h"
@@ -29,6 +31,25 @@
 
 vtkStandardNewMacro(vtkBCCVolumeShaderStage);
 
+namespace
+{
+const char* const RayTag = "//Bravais::Ray::Dec";
+
+// Has VTK take the place of BCCFindPixelRay() for where the fragment is, and what it takes from
+// vertices.
+void ReplaceRay(std::string& fragment)
+{
+  using Program = vtkShaderProgram;
+  Program::Substitute(fragment, "in vec3 ip_textureCoords;", "vec3 ip_textureCoords;");
+  Program::Substitute(
+    fragment, "in vec3 ip_vertexPos;", "vec3 ip_vertexPos;\nvec4 g_bccFragCoord;");
+  Program::Substitute(
+    fragment, "in mat4 ip_inverseTextureDataAdjusted;", "mat4 ip_inverseTextureDataAdjusted;");
+  Program::Substitute(fragment, "gl_FragCoord", "g_bccFragCoord");
+  Program::Substitute(fragment, RayTag, vtkBCCVolumeShaderText::GetPixelRay());
+}
+}
+
 struct vtkBCCVolumeShaderStage::DepthState
 {
   explicit DepthState(vtkOpenGLState* state)
@@ -51,7 +72,8 @@ bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
   const auto tie = [](const Options& o)
   {
     return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter,
-      o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.SkipRule, o.HalfFloats, o.Components);
+      o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.SkipRule, o.HalfFloats, o.PixelRays,
+      o.Progressive, o.Components);
   };
   return tie(*this) == tie(other);
 }
@@ -116,6 +138,7 @@ void vtkBCCVolumeShaderStage::End()
   this->Renderer = nullptr;
   this->Volume = nullptr;
   this->Input = nullptr;
+  this->Target = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -125,8 +148,8 @@ void vtkBCCVolumeShaderStage::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragment, vtkAbstractMapper* abstractMapper, vtkProp*)
+bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& geometry,
+  std::string& fragment, vtkAbstractMapper* abstractMapper, vtkProp*)
 {
   using Text = vtkBCCVolumeShaderText;
   auto* mapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(abstractMapper);
@@ -175,6 +198,16 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
   add(rule == vtkBCCBrickTexture::Maximum, "BCC_SKIP_MAXIMUM");
   add(rule == vtkBCCBrickTexture::Minimum, "BCC_SKIP_MINIMUM");
 
+  if (this->Current.PixelRays)
+  {
+    before("//VTK::Picking::Dec", RayTag);
+    before("//VTK::Base::Init", "  BCCFindPixelRay();");
+  }
+  if (this->Current.Progressive)
+  {
+    geometry = Text::GetSmallPicture();
+  }
+
   const std::string declarations =
     Text::GetSpline(this->Current.Kernel, this->Current.Components, "in_volume[0]") +
     Text::GetRayCast(macros) + (skip ? Text::GetSkipping() : std::string());
@@ -205,6 +238,10 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
   if (this->Current.WriteDepth)
   {
     after("//VTK::Base::Exit", "  gl_FragDepth = g_bccDepth;");
+    if (this->Current.Progressive)
+    {
+      after("//VTK::Base::Exit", "  gl_FragData[1] = vec4(g_bccDepth);");
+    }
   }
   const std::string gradientTag = "//VTK::ComputeGradient::Dec";
   if (analytic)
@@ -249,6 +286,10 @@ bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
     vtkShaderProgram::Substitute(
       fragment, vtkBCCVolumeShaderText::JitterStatement, vtkBCCVolumeShaderText::GetBayerJitter());
   }
+  if (this->Current.PixelRays)
+  {
+    ReplaceRay(fragment);
+  }
   this->Check.Check(this->Volume, vertex, fragment);
   return values || this->Current.RefineRoots;
 }
@@ -292,6 +333,18 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   {
     block->CellStep[axis] =
       1.0f / static_cast<float>(block->Extents[2 * axis + 1] - block->Extents[2 * axis] + 1);
+  }
+  int viewport[4];
+  vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  vtkBCCVolumeRays rays;
+  rays.Compute(this->Renderer, viewport, block->TextureToDataset, this->Volume->GetMatrix());
+  rays.SetUniforms(program);
+  program->SetUniformi("in_bccBlockSize", 0);
+  if (this->Target)
+  {
+    this->Target->StartTracing(program, rays.GetBounds());
   }
   const vtkBCCVolumeFrame& frame = *this->Input->Frame;
   program->SetUniform3f("in_bccLow", frame.Low);

@@ -27,6 +27,7 @@
 
 #include <memory>
 
+class vtkBCCProgressiveFrame;
 class vtkBCCVolumeInput;
 class vtkRenderer;
 class vtkVolume;
@@ -47,6 +48,8 @@ public:
     bool WriteDepth = false;  // of refined roots
     bool BayerJitter = false;
     vtkBCCBrickTexture::Rule SkipRule = vtkBCCBrickTexture::Nothing;
+    bool PixelRays = true; // if not, as VTK interpolates them
+    bool Progressive = false;
     // Of these VTK takes no notice by itself:
     int LightComplexity = 0;
     int Mask = -1; // its type, or -1
@@ -61,6 +64,8 @@ public:
   /// coefficients are multiplied by the normalizer: not 1 where VTK takes values for colours.
   void Begin(vtkRenderer* renderer, vtkVolume* volume, const Options& options,
     vtkBCCVolumeInput& input, float normalizer);
+  /// If it is to be traced pass by pass: where to. Ends with End().
+  void SetTarget(vtkBCCProgressiveFrame* target) { this->Target = target; }
   /// Leaves them.
   void End();
 
@@ -102,6 +107,7 @@ private:
   vtkBCCBrickTexture Bricks;
   float Normalizer = 1.0f;
   vtkBCCShaderCheck Check;
+  vtkBCCProgressiveFrame* Target = nullptr;
 
   struct DepthState;
   std::unique_ptr<DepthState> Saved;

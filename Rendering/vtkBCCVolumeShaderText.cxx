@@ -19,10 +19,12 @@
 #include "bccMask_glsl.h"
 #include "bccNearest_glsl.h"
 #include "bccPicking_glsl.h"
+#include "bccPixelRay_glsl.h"
 #include "bccRayCast_glsl.h"
 #include "bccRay_glsl.h"
 #include "bccSkipImpl_glsl.h"
 #include "bccSkip_glsl.h"
+#include "bccSmallPicture_glsl.h"
 #include "bccVolume_glsl.h"
 
 namespace
@@ -84,6 +86,18 @@ std::string vtkBCCVolumeShaderText::GetSkipping()
 std::string vtkBCCVolumeShaderText::GetSkippingImplementation()
 {
   return bccSkipImpl_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetPixelRay()
+{
+  return bccPixelRay_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetSmallPicture()
+{
+  return bccSmallPicture_glsl;
 }
 
 //------------------------------------------------------------------------------

@@ -28,6 +28,12 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   /// bccRay.glsl.
   static std::string GetRayCast(const std::vector<std::string>& macros);
 
+  /// BCCFindPixelRay(), which finds a pixel's ray without VTK's box.
+  static std::string GetPixelRay();
+
+  /// The geometry shader that has each fragment of a viewport start a ray.
+  static std::string GetSmallPicture();
+
   /// What takes the place of JitterStatement in VTK's shader: rays start where Bayer has them
   /// start.
   static std::string GetBayerJitter();

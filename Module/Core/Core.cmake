@@ -18,6 +18,7 @@ set(BRAVAIS_CORE
   BCCSpectralPrefilter
   BCCSplineRows
   BSplineSampler
+  BayerFill
   BayerMeasures
   BayerPattern
   BitMask

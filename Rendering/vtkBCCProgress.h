@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBCCProgress
+ * @brief   the progressive pictures of one mapper, in all its viewports
+ *
+ * A mapper may be drawn in several renderers, for several volumes and for both eyes, in turn. Each
+ * has its own frame. Together they are complete if all are that have been drawn since the one drawn
+ * last was drawn before; so a viewport that is shown no more does not count.
+ */
+
+#ifndef vtkBCCProgress_h
+#define vtkBCCProgress_h
+
+#include "vtkBCCProgressiveFrame.h"
+
+#include "vtkWeakPointer.h"
+
+#include <list>
+
+class vtkRenderer;
+class vtkVolume;
+
+class vtkBCCProgress
+{
+public:
+  vtkBCCProgress();
+  ~vtkBCCProgress();
+
+  /// The frame of a volume in a renderer, for the eye that its camera is at.
+  vtkBCCProgressiveFrame* GetFrame(vtkRenderer* renderer, vtkVolume* volume);
+
+  /// After the volume was drawn in the renderer, and its picture is complete or not. True if all
+  /// pictures so became complete.
+  bool Finish(vtkRenderer* renderer, vtkVolume* volume, bool complete);
+
+  /// False before the first picture.
+  bool IsComplete() const { return this->Complete; }
+
+  /// Drops the frames' textures; what is complete remains so.
+  void Release();
+
+private:
+  struct Entry;
+  Entry& Find(vtkRenderer* renderer, vtkVolume* volume);
+
+  std::list<Entry> Entries;
+  unsigned long Count = 0; // of pictures
+  bool Complete = false;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkBCCProgress.h
