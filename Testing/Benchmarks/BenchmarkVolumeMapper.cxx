@@ -23,6 +23,8 @@ namespace
 struct Options
 {
   std::vector<std::string> Tables = { "paper", "modes", "scaling" };
+  std::vector<int> Modes = { 0, 1, 2, 3 };
+  int Image = 512;
   std::vector<int> Kernels = { 12, 8, 7, 4 };
   std::vector<int> Sizes = { 64, 128 };
   std::vector<int> Images = { 256, 512, 1024 };
@@ -144,6 +146,12 @@ int main(int argc, char* argv[])
   Options options;
   CLI::App app("Times vtkBCCVolumeMapper beside VTK's own mapper.");
   app.add_option("--tables", options.Tables, "paper, modes, scaling")->delimiter(',');
+  app
+    .add_option("--modes", options.Modes,
+      "Of the table of modes: 0 isosurface, 1 composite, 2 composite and shaded, 3 maximum")
+    ->delimiter(',')
+    ->check(CLI::Range(0, 3));
+  app.add_option("--image", options.Image, "Width of the image, of modes");
   app.add_option("--kernels", options.Kernels, "4, 7, 8, 12")->delimiter(',');
   app.add_option("--sizes", options.Sizes, "Edges of cubes of samples, of scaling")->delimiter(',');
   app.add_option("--images", options.Images, "Widths of the image, of scaling")->delimiter(',');
@@ -167,7 +175,7 @@ int main(int argc, char* argv[])
     {
       const int size[3] = { Round(128 * options.Scale), Round(128 * options.Scale),
         Round(112 * options.Scale) };
-      const int image = Round(512 * options.Scale);
+      const int image = options.Image;
       const VolumePair pairs[] = { options.Volume.empty()
           ? MakeHead("as CT-Head", size, image, image)
           : ReadPair(options.Volume, options.IsoValue, image, image),
@@ -179,10 +187,9 @@ int main(int argc, char* argv[])
           std::fprintf(stderr, "Cannot read %s\n", options.Volume.c_str());
           return EXIT_FAILURE;
         }
-        for (const RenderMode mode : { RenderMode::IsoSurface, RenderMode::Shaded,
-               RenderMode::Composite, RenderMode::Maximum })
+        for (const int mode : options.Modes)
         {
-          PrintPair(options, pair, mode);
+          PrintPair(options, pair, static_cast<RenderMode>(mode));
         }
       }
     }

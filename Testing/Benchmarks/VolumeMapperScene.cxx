@@ -298,7 +298,9 @@ FrameTime TimeFrames(
   }
   for (int n = 0; n < 2; ++n)
   {
-    mapper->GetInput()->GetPointData()->GetScalars()->Modified();
+    vtkImageData* image = choice.Kernel == 0 ? pair.Cartesian : pair.BCC;
+    image->GetPointData()->GetScalars()->Modified();
+    image->Modified();
     draw(time.FirstProcessor, time.FirstClock);
   }
   return time;
