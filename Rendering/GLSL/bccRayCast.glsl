@@ -8,7 +8,13 @@ uniform float in_bccNormalizer; // makes colours of stored integers, as VTK's ow
 #endif
 
 #ifdef BCC_SHARED_GRADIENTS
-BCC_VALUE g_bccGx, g_bccGy, g_bccGz; // at the last look-up
+BCCFrame g_bccFrame; // of the last look-up, and its coefficients
+BCC_VALUE g_bccCoefficients[BCC_STENCIL];
+
+BCC_VALUE EvaluateShared(out BCC_VALUE gx, out BCC_VALUE gy, out BCC_VALUE gz)
+{
+  return EvaluateInFrame(g_bccFrame, g_bccCoefficients, gx, gy, gz);
+}
 #endif
 
 // In the place of texture3D(in_volume[0], texturePosition).
@@ -16,14 +22,15 @@ vec4 BCCLookUp(vec3 texturePosition)
 {
   BCC_VALUE gx, gy, gz;
   vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
+#ifdef BCC_SHARED_GRADIENTS
+  g_bccFrame = FindBCCFrame(BCCPosition(texturePosition));
+  FetchInFrame(g_bccFrame, g_bccCoefficients);
+  value.BCC_CHANNELS = EvaluateShared(gx, gy, gz);
+#else
   value.BCC_CHANNELS = EvaluateBoxSpline(BCCPosition(texturePosition), gx, gy, gz);
+#endif
 #if BCC_COMPONENTS == 4
   value *= in_bccNormalizer;
-#endif
-#ifdef BCC_SHARED_GRADIENTS
-  g_bccGx = gx;
-  g_bccGy = gy;
-  g_bccGz = gz;
 #endif
   return value;
 }
@@ -44,10 +51,10 @@ vec3 BCCToEye(vec3 gradient)
 // edge, in units of a quarter of the scalar range. Else w is -1.
 vec4 computeGradient(in vec3 texPos, in int c, in sampler3D volume, in int index)
 {
-#ifdef BCC_SHARED_GRADIENTS
-  BCC_VALUE gx = g_bccGx, gy = g_bccGy, gz = g_bccGz; // texPos is where VTK has just looked up
-#else
   BCC_VALUE gx, gy, gz;
+#ifdef BCC_SHARED_GRADIENTS
+  EvaluateShared(gx, gy, gz); // texPos is where VTK has just looked up
+#else
   EvaluateBoxSpline(BCCPosition(texPos), gx, gy, gz);
 #endif
 #if BCC_COMPONENTS == 1
