@@ -31,7 +31,10 @@ def make_input(name):
         return simple.GeometryImageSource(Dimensions=[17, 17])
     if name.startswith("Rank1"):
         picture = simple.Wavelet(WholeExtent=[-5, 5, -5, 5, 0, 0])
-        return picture if name == "Rank1ImageResample" else simple.Rank1ImageResample(Input=picture)
+        makes = name in ("Rank1ImageResample", "Rank1TexturePyramid")
+        return picture if makes else simple.Rank1ImageResample(Input=picture)
+    if name == "PolyDataToGeometryImage":
+        return simple.Sphere()
     return simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
 
 
@@ -44,9 +47,29 @@ class TestProxies(unittest.TestCase):
     def test_sources(self):
         for name in read_proxies("sources"):
             with self.subTest(name):
-                source = getattr(simple, name)()
-                source.UpdatePipeline()
-                self.assertGreater(source.GetDataInformation().GetNumberOfPoints(), 0)
+                if not name.endswith("Reader"):
+                    source = getattr(simple, name)()
+                    source.UpdatePipeline()
+                    self.assertGreater(source.GetDataInformation().GetNumberOfPoints(), 0)
+
+    def test_readers_and_writers(self):
+        picture = simple.Wavelet(WholeExtent=[-5, 5, -4, 4, 0, 0])
+        surface = simple.GeometryImageSource(Dimensions=[9, 9])
+        names = set(read_proxies("writers"))
+        for source, ending, kind in (picture, "exr", "OIIOImage"), (surface, "gim", "GeometryImage"):
+            with self.subTest(kind):
+                path = os.path.join(os.environ["BRAVAIS_TEMPORARY"], f"file.{ending}")
+                simple.SaveData(path, proxy=source)
+                reader = getattr(simple, kind + "Reader")(FileName=path)
+                reader.UpdatePipeline()
+                self.assertEqual(
+                    reader.GetDataInformation().GetNumberOfPoints(),
+                    source.GetDataInformation().GetNumberOfPoints(),
+                )
+                names.remove(kind + "Writer")
+                # The file's name is enough for ParaView to choose the reader.
+                self.assertEqual(simple.OpenDataFile(path).GetXMLName(), kind + "Reader")
+        self.assertFalse(names, "each writer is tested")
 
     def test_filters(self):
         for name in read_proxies("filters"):
@@ -59,12 +82,15 @@ class TestProxies(unittest.TestCase):
         for group in "sources", "filters":
             for name, element in read_proxies(group).items():
                 with self.subTest(name):
+                    if name.endswith("Reader"):
+                        self.assertTrue(element.find("Hints/ReaderFactory").get("extensions"))
+                        continue
                     menu = element.find("Hints/ShowInMenu")
                     self.assertEqual(menu.get("category"), "Bravais")
                     self.assertTrue(element.get("label"))
 
     def test_are_documented(self):
-        for group in "sources", "filters", "representations":
+        for group in "sources", "filters", "representations", "writers":
             for name, element in read_proxies(group).items():
                 self.assertTrue(element.findtext("Documentation", "").strip(), name)
                 for part in element:
@@ -76,6 +102,8 @@ class TestProxies(unittest.TestCase):
         """Each property with an enumeration takes all of its values, and each changes the object."""
         for group in "sources", "filters":
             for name, element in read_proxies(group).items():
+                if name.endswith("Reader"):
+                    continue
                 algorithm = (
                     getattr(simple, name)()
                     if group == "sources"
