@@ -21,6 +21,7 @@ set(BRAVAIS_FILTERS
   vtkRank1ImageReconstruct
   vtkRank1ImageResample
   vtkRank1ImageToPolyData
+  vtkRank1TextureFileWriter
   vtkRank1TexturePyramid
   vtkRank1TextureSampler
 )
@@ -45,9 +46,12 @@ set(BRAVAIS_FILTERS_PRIVATE
   OIIOImageFiller
   OIIOImageSink
   OIIOMetadata
+  PictureRows
   Rank1Levels
   Rank1Polygons
   Rank1Resample
   Rank1Texels
+  Rank1TileFile
+  Rank1TileRows
   WholeJPEG
 )

@@ -4,6 +4,10 @@
 
 #include "Rank1Image.h"
 #include "Rank1TextureLevels.h"
+#include "Rank1TileFile.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/half.h>
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -34,6 +38,45 @@ vtkMTimeType GetTime(vtkDataObject* texture)
   return time;
 }
 
+/// Looks up points; find(level, texel) is where a texel of type T is, or nullptr.
+template <class T, class Find>
+void SamplePoints(const Rank1Sampling& sampling, int components, vtkIdType count, const double* uv,
+  const double* footprints, double* values, const Find& find)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (vtkIdType point = 0; point < count; ++point)
+  {
+    double* value = values + point * components;
+    const double* p = uv + 2 * point;
+    const double* f = footprints + 4 * point;
+    const bool known = std::isfinite(p[0]) && std::isfinite(p[1]) &&
+      std::none_of(f, f + 4, [](double number) { return std::isnan(number); });
+    std::fill_n(value, components, known ? 0.0 : nan);
+    if (known)
+    {
+      VisitRank1Texels(sampling, { p[0], p[1] }, { f[0], f[1], f[2], f[3] },
+        [&](int level, std::int64_t texel, double weight)
+        {
+          const T* from = find(level, texel);
+          for (int c = 0; c < components; ++c)
+          {
+            value[c] += from ? weight * static_cast<double>(from[c]) : nan;
+          }
+        });
+    }
+  }
+}
+
+template <class T>
+void SampleFile(const Rank1Sampling& sampling, const Rank1TileFile& file, vtkIdType count,
+  const double* uv, const double* footprints, double* values)
+{
+  Rank1TileFile::Reader reader(file);
+  SamplePoints<T>(sampling, file.GetNumberOfComponents(), count, uv, footprints, values,
+    [&](int level, std::int64_t texel)
+    { return static_cast<const T*>(reader.Find(level, texel)); });
+}
+
 template <class T>
 void SampleArrays(const Rank1Sampling& sampling,
   const std::vector<vtkSmartPointer<vtkDataArray>>& arrays, const T*, vtkIdType count,
@@ -45,34 +88,22 @@ void SampleArrays(const Rank1Sampling& sampling,
   {
     levels.push_back(static_cast<const T*>(array->GetVoidPointer(0)));
   }
-  for (vtkIdType point = 0; point < count; ++point)
-  {
-    double* value = values + point * components;
-    const double* p = uv + 2 * point;
-    const double* f = footprints + 4 * point;
-    const bool known = std::isfinite(p[0]) && std::isfinite(p[1]) && !std::isnan(f[0]) &&
-      !std::isnan(f[1]) && !std::isnan(f[2]) && !std::isnan(f[3]);
-    std::fill_n(value, components, known ? 0.0 : std::numeric_limits<double>::quiet_NaN());
-    if (known)
-    {
-      VisitRank1Texels(sampling, { p[0], p[1] }, { f[0], f[1], f[2], f[3] },
-        [&](int level, std::int64_t texel, double weight)
-        {
-          const T* from = levels[level] + texel * components;
-          for (int c = 0; c < components; ++c)
-          {
-            value[c] += weight * static_cast<double>(from[c]);
-          }
-        });
-    }
-  }
+  SamplePoints<T>(sampling, components, count, uv, footprints, values,
+    [&](int level, std::int64_t texel) { return levels[level] + texel * components; });
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
+Rank1Texels::Rank1Texels() = default;
+
+//------------------------------------------------------------------------------
+Rank1Texels::~Rank1Texels() = default;
+
+//------------------------------------------------------------------------------
 void Rank1Texels::Clear()
 {
+  this->File.reset();
   this->Source = nullptr;
   this->Arrays.clear();
   this->Sampling.Levels.clear();
@@ -81,6 +112,10 @@ void Rank1Texels::Clear()
 //------------------------------------------------------------------------------
 int Rank1Texels::GetNumberOfComponents() const
 {
+  if (this->File)
+  {
+    return this->File->GetNumberOfComponents();
+  }
   return this->Arrays.empty() ? 0 : this->Arrays[0]->GetNumberOfComponents();
 }
 
@@ -127,9 +162,72 @@ bool Rank1Texels::SetSource(vtkDataObject* texture, std::string& why)
 }
 
 //------------------------------------------------------------------------------
+bool Rank1Texels::SetFile(const std::string& name, int megabytes, std::string& why)
+{
+  const std::time_t time = OIIO::Filesystem::last_write_time(name);
+  if (this->File && name == this->FileName && time == this->FileTime &&
+    megabytes == this->Megabytes)
+  {
+    return true;
+  }
+  this->Clear();
+  auto file = std::make_unique<Rank1TileFile>();
+  if (!file->Open(name, megabytes, why))
+  {
+    return false;
+  }
+  const Rank1TileLayout& layout = file->GetLayout();
+  const auto& [n, g1, g2] = layout.Generator;
+  const glm::dvec2 size(layout.Domain[1] - layout.Domain[0], layout.Domain[3] - layout.Domain[2]);
+  Rank1Sampling sampling = this->Sampling;
+  for (const int rows : layout.Rows)
+  {
+    for (const int columns : layout.Columns)
+    {
+      const auto lattice = Rank1Lattice::Create(n, g1, g2, size / glm::dvec2(columns, rows));
+      if (!lattice)
+      {
+        why = "The file '" + name +
+          "' is damaged: " + ExplainRank1Lattice(n, g1, g2, size.x / columns, size.y / rows);
+        return false;
+      }
+      sampling.Levels.push_back(MakeRank1Texture<double>(*lattice, columns, rows));
+    }
+  }
+  sampling.Counts = { layout.Columns.size(), layout.Rows.size() };
+  sampling.IsRSet = true;
+  sampling.Density = GetRank1Density(
+    size, static_cast<double>(n) * layout.Tiles[0] * static_cast<double>(layout.Tiles[1]));
+  this->Sampling = sampling;
+  this->File = std::move(file);
+  this->FileName = name;
+  this->FileTime = time;
+  this->Megabytes = megabytes;
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void Rank1Texels::Sample(
   vtkIdType count, const double* uv, const double* footprints, double* values) const
 {
+  if (this->File)
+  {
+    switch (this->File->GetType().basetype)
+    {
+      case OIIO::TypeDesc::UINT8:
+        SampleFile<unsigned char>(this->Sampling, *this->File, count, uv, footprints, values);
+        break;
+      case OIIO::TypeDesc::UINT16:
+        SampleFile<unsigned short>(this->Sampling, *this->File, count, uv, footprints, values);
+        break;
+      case OIIO::TypeDesc::HALF:
+        SampleFile<half>(this->Sampling, *this->File, count, uv, footprints, values);
+        break;
+      default:
+        SampleFile<float>(this->Sampling, *this->File, count, uv, footprints, values);
+    }
+    return;
+  }
   switch (this->Arrays[0]->GetDataType())
   {
     vtkTemplateMacro(SampleArrays(this->Sampling, this->Arrays, static_cast<const VTK_TT*>(nullptr),

@@ -3,6 +3,7 @@
 #include "vtkRank1TextureSampler.h"
 
 #include "Rank1Texels.h"
+#include "Rank1TileFile.h"
 #include "SliceLoop.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -53,6 +54,7 @@ const char* vtkRank1TextureSampler::GetLevelFilterAsString()
 int vtkRank1TextureSampler::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // a file may take its place
   return 1;
 }
 
@@ -70,14 +72,14 @@ bool vtkRank1TextureSampler::Fail(const std::string& why)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRank1TextureSampler::Prepare()
+bool vtkRank1TextureSampler::PrepareInput(std::string& why)
 {
   bravais::Rank1Texels& texels = this->Internal->Texels;
-  std::string why;
   if (this->GetNumberOfInputConnections(0) == 0)
   {
     texels.Clear();
-    return this->Fail("There is no texture; a rank-1 image, or a pyramid of them, was expected.");
+    why = "There is no texture; a rank-1 image, a pyramid of them, or a FileName was expected.";
+    return false;
   }
   vtkExecutive* source = this->GetInputExecutive(0, 0);
   if (!source->Update(this->GetInputConnection(0, 0)->GetIndex()))
@@ -85,9 +87,24 @@ bool vtkRank1TextureSampler::Prepare()
     texels.Clear();
     return false; // the input has told why
   }
-  if (!texels.SetSource(this->GetInputDataObject(0, 0), why))
+  return texels.SetSource(this->GetInputDataObject(0, 0), why);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRank1TextureSampler::Prepare()
+{
+  bravais::Rank1Texels& texels = this->Internal->Texels;
+  std::string why;
+  if (!this->FileName.empty())
   {
-    return this->Fail(why);
+    if (!texels.SetFile(this->FileName, this->CacheSize, why))
+    {
+      return this->Fail(why);
+    }
+  }
+  else if (!this->PrepareInput(why))
+  {
+    return why.empty() ? false : this->Fail(why);
   }
   texels.Sampling.Trilinear = this->LevelFilter == Trilinear;
   texels.Sampling.LookUp = static_cast<bravais::Rank1LookUp>(this->Interpolation);
@@ -176,7 +193,15 @@ bool vtkRank1TextureSampler::Sample(
   const double uv[2] = { u, v };
   const double footprint[4] = { dudx, dvdx, dudy, dvdy };
   this->Internal->Texels.Sample(1, uv, footprint, value);
-  return true;
+  return this->CheckFile();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRank1TextureSampler::CheckFile()
+{
+  bravais::Rank1TileFile* file = this->Internal->Texels.GetFile();
+  std::string why;
+  return file && file->TakeFailure(why) ? this->Fail(why) : true;
 }
 
 namespace
@@ -250,7 +275,8 @@ bool vtkRank1TextureSampler::Sample(
     texels.Sample(size, uv, footprint, results->GetPointer(first * components));
   };
   const auto runs = static_cast<int>((count + run - 1) / run);
-  if (runs > 0 && !bravais::ForEachSlice(this, 0, runs - 1, work))
+  const bool finished = runs == 0 || bravais::ForEachSlice(this, 0, runs - 1, work);
+  if (!this->CheckFile() || !finished)
   {
     values->Initialize();
     return false;
@@ -262,9 +288,48 @@ bool vtkRank1TextureSampler::Sample(
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkRank1TextureSampler::GetCacheHits()
+{
+  bravais::Rank1TileFile* file = this->Internal->Texels.GetFile();
+  return file ? file->GetHits() : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRank1TextureSampler::GetCacheMisses()
+{
+  bravais::Rank1TileFile* file = this->Internal->Texels.GetFile();
+  return file ? file->GetMisses() : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRank1TextureSampler::GetCacheMemory()
+{
+  bravais::Rank1TileFile* file = this->Internal->Texels.GetFile();
+  return file ? file->GetMemory() : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRank1TextureSampler::GetPeakCacheMemory()
+{
+  bravais::Rank1TileFile* file = this->Internal->Texels.GetFile();
+  return file ? file->GetPeakMemory() : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRank1TextureSampler::ResetStatistics()
+{
+  if (bravais::Rank1TileFile* file = this->Internal->Texels.GetFile())
+  {
+    file->ResetStatistics();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRank1TextureSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: '" << this->FileName << "'\n";
+  os << indent << "CacheSize: " << this->CacheSize << "\n";
   os << indent << "Interpolation: " << this->GetInterpolationAsString() << "\n";
   os << indent << "LevelFilter: " << this->GetLevelFilterAsString() << "\n";
 }

@@ -29,8 +29,13 @@
  * and number of components. Coordinates that are not finite, and footprints that are NaN, give NaN.
  * Look-ups bring the input up to date first. Sample of many points works in parallel.
  *
- * Errors, and no values: no input, one that is no rank-1 texture, arrays of coordinates or
- * footprints of other numbers of components or tuples.
+ * `FileName` in the place of an input names a texture larger than memory that
+ * vtkRank1TextureFileWriter has written. Its tiles are read when they are needed and kept in
+ * OpenImageIO's cache, `CacheSize` megabytes of them. GetCacheHits and GetCacheMisses count tiles
+ * that were there and tiles that had to be read.
+ *
+ * Errors, and no values: no input, one that is no rank-1 texture, a file that is none or cannot be
+ * read, arrays of coordinates or footprints of other numbers of components or tuples.
  *
  * @code{.py}
  * sampler = vtkRank1TextureSampler()
@@ -38,7 +43,7 @@
  * sampler.Sample(coordinates, footprints, values)  # arrays of 2 and 4 components, and the result
  * @endcode
  *
- * @sa vtkRank1TexturePyramid vtkRank1TexturedPolyDataMapper
+ * @sa vtkRank1TexturePyramid vtkRank1TextureFileWriter vtkRank1TexturedPolyDataMapper
  */
 
 #ifndef vtkRank1TextureSampler_h
@@ -48,7 +53,7 @@
 #include "vtkBravaisModule.h" // For export macro
 
 #include <memory> // For Internals
-#include <string> // For messages
+#include <string> // For names and messages
 
 class vtkDataArray;
 class vtkDataObject;
@@ -78,6 +83,23 @@ public:
    * A texture that is not connected to a pipeline.
    */
   void SetInputData(vtkDataObject* texture);
+
+  ///@{
+  /**
+   * A file of tiles instead of an input. Default "": the input.
+   */
+  vtkSetStdStringFromCharMacro(FileName);
+  vtkGetCharFromStdStringMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Megabytes (2^20 bytes) of tiles that are kept of a file, 10 to 2^20. Default 64. Each thread
+   * may have some tiles more in hand.
+   */
+  vtkSetClampMacro(CacheSize, int, 10, 1048576);
+  vtkGetMacro(CacheSize, int);
+  ///@}
 
   ///@{
   /**
@@ -145,6 +167,19 @@ public:
    */
   bool Sample(vtkDataArray* coordinates, vtkDataArray* footprints, vtkDataArray* values);
 
+  ///@{
+  /**
+   * Of a file: tiles that were looked for in the cache and found, those that had to be read, bytes
+   * that tiles have in memory now, and the most that they had. 0 without a file. ResetStatistics
+   * counts hits and misses from 0 again.
+   */
+  vtkIdType GetCacheHits();
+  vtkIdType GetCacheMisses();
+  vtkIdType GetCacheMemory();
+  vtkIdType GetPeakCacheMemory();
+  void ResetStatistics();
+  ///@}
+
 protected:
   vtkRank1TextureSampler();
   ~vtkRank1TextureSampler() override;
@@ -157,10 +192,14 @@ private:
 
   class Internals;
   bool Prepare();
+  bool PrepareInput(std::string& why);
+  bool CheckFile();
   bool Fail(const std::string& why);
 
   int Interpolation = Barycentric;
   int LevelFilter = Trilinear;
+  std::string FileName;
+  int CacheSize = 64;
   std::unique_ptr<Internals> Internal;
 };
 
