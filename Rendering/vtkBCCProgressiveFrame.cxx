@@ -173,7 +173,7 @@ void vtkBCCProgressiveFrame::SetShowUniforms(vtkShaderProgram* program)
     steps.insert(steps.end(), { step.x, step.y });
   }
   program->SetUniform1iv("in_bccSteps", static_cast<int>(steps.size()), steps.data());
-  program->SetUniformi("in_bccBlockSize", 1 << this->Current.Log2BlockSize);
+  program->SetUniformi("in_bccLog2BlockSize", this->Current.Log2BlockSize);
   program->SetUniform2i("in_bccCorner", this->Current.Viewport.data());
   program->SetUniform2i("in_bccSize", this->Current.Viewport.data() + 2);
   program->SetUniform2i("in_bccSmall", this->GetSmallSize().data());

@@ -16,20 +16,21 @@ uniform sampler2D in_depthSampler; // VTK's, of what is in front
 uniform ivec2 in_bccCorner; // of the viewport
 uniform ivec2 in_bccSize;   // its size
 uniform ivec2 in_bccSmall;  // the size of a small picture
-uniform int in_bccBlockSize;
+uniform int in_bccLog2BlockSize;
 uniform int in_bccSteps[128]; // for each cell of a block, along x and y, to the nearest traced pixel
 
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - in_bccCorner;
-  ivec2 cell = pixel % in_bccBlockSize;
-  int number = 2 * (cell.y * in_bccBlockSize + cell.x);
+  int last = (1 << in_bccLog2BlockSize) - 1;
+  ivec2 cell = pixel & last;
+  int number = 2 * ((cell.y << in_bccLog2BlockSize) + cell.x);
   ivec2 source = pixel + ivec2(in_bccSteps[number], in_bccSteps[number + 1]);
   if (any(lessThan(source, ivec2(0))) || any(greaterThanEqual(source, in_bccSize)))
   {
     source = pixel - cell; // which is traced first
   }
-  ivec2 texel = source % in_bccBlockSize * in_bccSmall + source / in_bccBlockSize;
+  ivec2 texel = (source & last) * in_bccSmall + (source >> in_bccLog2BlockSize);
   vec4 color = texelFetch(in_bccTraced, texel, 0);
   if (color.a < 0.0)
   {
@@ -40,7 +41,7 @@ void main()
   if (source != pixel)
   {
     // Not before what is in front of the box here, nor an opaque surface before what is in front of it.
-    float front = texture2D(in_depthSampler, (vec2(pixel) + 0.5) / vec2(in_bccSize)).r;
+    float front = texelFetch(in_depthSampler, pixel, 0).r;
     if (front <= gl_FragCoord.z || (front <= depth && color.a > 1.0 - 1.0 / 255.0))
     {
       discard;
