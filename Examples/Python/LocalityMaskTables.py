@@ -4,14 +4,15 @@
 """What locality masks cost to store, as in the paper's Table 1.
 
 Prints, for each model and depth, the leaves and nodes and their masks' bytes: uncompressed, by run
-lengths and as Roaring bitmaps. Models are geometry image files or .obj meshes of closed surfaces;
-without any, Stanford's bunny where --download may fetch it, and surfaces that are made here.
+lengths and as Roaring bitmaps. Models are geometry image files or meshes of closed surfaces;
+without any, three meshes where --download may fetch them, and surfaces that are made here.
 """
 import argparse
 import pathlib
 
 import bravais
 import geometryimages
+import meshes
 
 
 def print_row(name, image, depth):
@@ -35,14 +36,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("models", nargs="*", type=pathlib.Path)
     parser.add_argument("--download", type=pathlib.Path, metavar="FOLDER",
-                        help="fetch the bunny's Debian package into a folder")
+                        help="fetch meshes of Debian packages into a folder")
     parser.add_argument("--size", type=int, default=257, help="gixels along each side")
     parser.add_argument("--depths", type=int, nargs="+", default=[4, 5])
     options = parser.parse_args()
     models = {path.stem: geometryimages.read(path, options.size) for path in options.models}
     if options.download:
-        bunny = geometryimages.fetch_bunny(options.download, options.size)
-        models.update({"bunny": bunny} if bunny else {})
+        for name in "bunny", "armadillo", "homer":
+            path = meshes.fetch(name, options.download)
+            models.update({name: geometryimages.read(path, options.size)} if path else {})
     if not options.models:
         models["bumpy sphere"] = geometryimages.make("BumpySphere", options.size, options.size)
         models["torus"] = geometryimages.make("Torus", 2 * options.size, options.size // 2)

@@ -5,22 +5,20 @@ import pathlib
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOGeometry import vtkOBJReader
 
 import bravais
 import debian
+import meshes
 
 BUNNY = "glmark2-data", "usr/share/glmark2/models/bunny.obj"  # Stanford's
 
 
 def read(path, size):
     """A geometry image file, or a closed mesh as one of so many gixels along each side."""
-    if pathlib.Path(path).suffix == ".obj":
-        mesh = vtkOBJReader()
-        mesh.SetFileName(str(path))
+    if pathlib.Path(path).suffix in (".obj", ".off", ".ply", ".stl", ".vtp"):
         reader = bravais.vtkPolyDataToGeometryImage()
         reader.SetDimensions(size, size)
-        reader.SetInputConnection(mesh.GetOutputPort())
+        reader.SetInputData(meshes.read(path))
     else:
         reader = bravais.vtkGeometryImageReader()
         reader.SetFileName(str(path))
