@@ -147,9 +147,7 @@ int vtkGeometryImageLocalityMask::RequestUpdateExtent(vtkInformation* vtkNotUsed
     vtkInformation* info = inputVector[port]->GetInformationObject(0);
     if (info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
     {
-      int whole[6];
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-      bravais::RequestExtent(info, whole);
+      bravais::RequestWholeExtent(info);
     }
   }
   return 1;

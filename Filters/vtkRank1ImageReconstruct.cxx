@@ -168,10 +168,7 @@ int vtkRank1ImageReconstruct::RequestInformation(
 int vtkRank1ImageReconstruct::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* in = inputVector[0]->GetInformationObject(0);
-  int whole[6] = { 0, -1, 0, -1, 0, -1 };
-  in->Get(Pipeline::WHOLE_EXTENT(), whole);
-  bravais::RequestExtent(in, whole);
+  bravais::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

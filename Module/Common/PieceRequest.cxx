@@ -50,4 +50,12 @@ void RequestExtent(vtkInformation* input, const int extent[6])
   input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 
+//------------------------------------------------------------------------------
+void RequestWholeExtent(vtkInformation* input)
+{
+  int whole[6] = { 0, -1, 0, -1, 0, -1 };
+  input->Get(Pipeline::WHOLE_EXTENT(), whole);
+  RequestExtent(input, whole);
+}
+
 } // namespace bravais

@@ -24,6 +24,9 @@ bool IsPiece(vtkInformation* output);
 /// Asks for an extent and all of it.
 void RequestExtent(vtkInformation* input, const int extent[6]);
 
+/// Asks for all of an input, whatever piece is wanted.
+void RequestWholeExtent(vtkInformation* input);
+
 } // namespace bravais
 
 #endif
