@@ -61,7 +61,11 @@ set(BRAVAIS_SHADERS
   bccSmallPicture
   bccVolume
   rank1BoxSpline
+  rank1Footprint
+  rank1FragmentDec
   rank1FragmentImpl
+  rank1GeometryDec
+  rank1GeometryImpl
   rank1Index
   rank1Interpolation
   rank1Level

@@ -5,7 +5,11 @@
 #include "vtkRank1TextureInput.h"
 
 #include "rank1BoxSpline_glsl.h"
+#include "rank1Footprint_glsl.h"
+#include "rank1FragmentDec_glsl.h"
 #include "rank1FragmentImpl_glsl.h"
+#include "rank1GeometryDec_glsl.h"
+#include "rank1GeometryImpl_glsl.h"
 #include "rank1Index_glsl.h"
 #include "rank1Interpolation_glsl.h"
 #include "rank1Level_glsl.h"
@@ -63,17 +67,14 @@ void vtkRank1ShaderText::ReplaceVertex(std::string& source)
 //------------------------------------------------------------------------------
 void vtkRank1ShaderText::ReplaceGeometry(std::string& source)
 {
-  PutBefore(source, "//VTK::TCoord::Dec",
-    "in vec2 rank1TCoordVCVSOutput[];\nout vec2 rank1TCoordVCGSOutput;\n");
-  PutBefore(source, "//VTK::TCoord::Impl", "rank1TCoordVCGSOutput = rank1TCoordVCVSOutput[i];\n");
+  PutBefore(source, "//VTK::TCoord::Dec", rank1GeometryDec_glsl);
+  PutBefore(source, "//VTK::TCoord::Impl", rank1GeometryImpl_glsl);
 }
 
 //------------------------------------------------------------------------------
 void vtkRank1ShaderText::ReplaceFragment(std::string& source, const std::string& lookUp)
 {
-  PutBefore(source, "//VTK::TCoord::Dec",
-    lookUp + "in vec2 rank1TCoordVCVSOutput;\nuniform int in_rank1ShowOnBackface;\n");
-  PutBefore(source, "//VTK::UniformFlow::Impl",
-    "vec4 rank1Footprint = vec4(dFdx(rank1TCoordVCVSOutput), dFdy(rank1TCoordVCVSOutput));\n");
+  PutBefore(source, "//VTK::TCoord::Dec", lookUp + rank1FragmentDec_glsl);
+  PutBefore(source, "//VTK::UniformFlow::Impl", rank1Footprint_glsl);
   PutBefore(source, "//VTK::TCoord::Impl", rank1FragmentImpl_glsl);
 }
