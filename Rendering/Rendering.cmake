@@ -12,6 +12,7 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCBrickMarks
   vtkBCCBrickTexture
   vtkBCCCoefficientArray
+  vtkBCCCoefficientBuffer
   vtkBCCCoefficientTexels
   vtkBCCDepthWatch
   vtkBCCPictureState

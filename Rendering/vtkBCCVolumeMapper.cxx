@@ -415,6 +415,9 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   options.UserHash = vtkBCCShaderCheck::GetHash(volume);
   options.BayerJitter = this->JitterPattern == BayerJitter;
   options.HalfFloats = this->HalfFloatCoefficients;
+  options.Buffer = vtkBCCCoefficientBuffer::IsBetter(
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), options.Kernel,
+    impl.Input.Texels);
   options.PixelRays = !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
   options.Progressive = this->IsTracedInPasses(renderer, volume);
   options.Components = impl.Input.Texels.Components;

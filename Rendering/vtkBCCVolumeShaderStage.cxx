@@ -72,8 +72,8 @@ bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
   const auto tie = [](const Options& o)
   {
     return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter,
-      o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.SkipRule, o.HalfFloats, o.PixelRays,
-      o.Progressive, o.Components);
+      o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.SkipRule, o.HalfFloats, o.Buffer,
+      o.PixelRays, o.Progressive, o.Components);
   };
   return tie(*this) == tie(other);
 }
@@ -135,6 +135,7 @@ void vtkBCCVolumeShaderStage::End()
   }
   this->Saved.reset();
   this->Bricks.Deactivate();
+  this->Coefficients.Deactivate();
   this->Renderer = nullptr;
   this->Volume = nullptr;
   this->Input = nullptr;
@@ -145,6 +146,7 @@ void vtkBCCVolumeShaderStage::End()
 void vtkBCCVolumeShaderStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Bricks.ReleaseGraphicsResources(window);
+  this->Coefficients.ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
@@ -208,8 +210,8 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
     geometry = Text::GetSmallPicture();
   }
 
-  const std::string declarations =
-    Text::GetSpline(this->Current.Kernel, this->Current.Components, "in_volume[0]") +
+  const std::string declarations = Text::GetSpline(this->Current.Kernel, this->Current.Components,
+                                     this->Current.Buffer ? "" : "in_volume[0]") +
     Text::GetRayCast(macros) + (skip ? Text::GetSkipping() : std::string());
   if (mapper->GetMaskInput())
   {
@@ -301,12 +303,25 @@ bool vtkBCCVolumeShaderStage::FillTexture(vtkVolumeTexture* texture)
   bool filled = true;
   if (this->Filled != texture || this->FilledTime != texture->UploadTime.GetMTime())
   {
+    vtkBCCCoefficientTexels& texels = this->Input->Texels;
+    glm::ivec3 size = texels.Size;
+    if (this->Current.Buffer)
+    {
+      filled = this->Coefficients.Fill(
+        vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow()), texels,
+        this->Current.HalfFloats);
+      size = glm::ivec3(1); // of what VTK binds
+    }
+    else
+    {
+      this->Coefficients.ReleaseGraphicsResources(this->Renderer->GetRenderWindow());
+    }
     static const GLenum formats[2][4] = { { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F },
       { GL_R16F, GL_RG16F, GL_RGB16F, GL_RGBA16F } };
-    vtkBCCCoefficientTexels& texels = this->Input->Texels;
     object->SetInternalFormat(formats[this->Current.HalfFloats][texels.Components - 1]);
-    filled = object->Create3DFromRaw(texels.Size.x, texels.Size.y, texels.Size.z, texels.Components,
-      VTK_FLOAT, texels.Values.data());
+    filled = filled &&
+      object->Create3DFromRaw(
+        size.x, size.y, size.z, texels.Components, VTK_FLOAT, texels.Values.data());
     this->Filled = filled ? texture : nullptr;
     this->FilledTime = texture->UploadTime.GetMTime();
   }
@@ -350,6 +365,10 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   program->SetUniform3f("in_bccLow", frame.Low);
   program->SetUniform3f("in_bccHigh", frame.High);
   program->SetUniformi("in_bccCosetDepth", this->Input->Texels.Size.z / 2);
+  if (this->Current.Buffer)
+  {
+    this->Coefficients.Activate(program, this->Input->Texels);
+  }
   if (program->IsUniformUsed("in_bccToGradient"))
   {
     float toGradient[9];

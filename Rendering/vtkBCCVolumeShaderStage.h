@@ -20,6 +20,7 @@
 
 #include "BCCKernel.h"
 #include "vtkBCCBrickTexture.h"
+#include "vtkBCCCoefficientBuffer.h"
 #include "vtkBCCShaderCheck.h"
 
 #include "vtkOpenGLRenderPass.h"
@@ -56,6 +57,7 @@ public:
     bool LatticeMask = false;
     std::size_t UserHash = 0;
     bool HalfFloats = false;
+    bool Buffer = false; // coefficients are in a buffer instead of a 3D texture
     int Components = 1;
     bool operator==(const Options& other) const;
   };
@@ -105,6 +107,7 @@ private:
   vtkVolume* Volume = nullptr;
   vtkBCCVolumeInput* Input = nullptr;
   vtkBCCBrickTexture Bricks;
+  vtkBCCCoefficientBuffer Coefficients;
   float Normalizer = 1.0f;
   vtkBCCShaderCheck Check;
   vtkBCCProgressiveFrame* Target = nullptr;

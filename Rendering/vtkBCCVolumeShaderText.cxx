@@ -48,7 +48,9 @@ std::string vtkBCCVolumeShaderText::GetSpline(
   bravais::BCCKernel kernel, int components, const std::string& volume)
 {
   const std::string count = std::to_string(components);
-  const std::string text = Define("BCC_VOLUME", volume) + Define("BCC_COMPONENTS", count) +
+  const std::string text =
+    (volume.empty() ? Define("BCC_BUFFER", "1") : Define("BCC_VOLUME", volume)) +
+    Define("BCC_COMPONENTS", count) +
     Define("BCC_VALUE", components == 1 ? "float" : "vec" + count) +
     Define("BCC_CHANNELS", std::string("rgba").substr(0, components)) + bccVolume_glsl;
   switch (kernel)

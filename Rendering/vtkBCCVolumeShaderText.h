@@ -20,7 +20,8 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
 {
   /// The macro definitions and functions that give EvaluateBoxSpline(): the value and derivatives
   /// of the kernel's spline at a position in lattice coordinates. `volume` is the GLSL expression
-  /// of the sampler that holds the coefficients of one to four components.
+  /// of the 3D texture that holds the coefficients of one to four components; where it is empty,
+  /// the buffer in_bccCoefficients does (vtkBCCCoefficientBuffer).
   static std::string GetSpline(
     bravais::BCCKernel kernel, int components, const std::string& volume);
 

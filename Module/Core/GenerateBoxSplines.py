@@ -423,14 +423,15 @@ def glsl_file(kernel):
     polynomial = wrap([glsl_statement(line) for line in kernel.polynomial()])
     fetches = wrap([line.replace("FETCH", "BCCCoefficient") for line in kernel.fetches()])
     return f"""{HEAD}
-// BCC_VALUE is float, or vec2 .. vec4 for that many components at once. The twin is
-// Module/Core/BCC{k}Polynomial.inl.
+// BCC_VALUE is float, or vec2 .. vec4 for that many components at once; BCC_TEXEL is int or ivec3.
+// The twin is Module/Core/BCC{k}Polynomial.inl.
 
 // Fetches the stencil's coefficients from the texels of the even point (0, 0, 0) and the odd point
 // (1, 1, 1) by steps s0, s1, s2 of 2 along the reference tetrahedron's axes.
-void BCC{k}Fetch(ivec3 even, ivec3 odd, ivec3 s0, ivec3 s1, ivec3 s2, out BCC_VALUE c[{n}])
+void BCC{k}Fetch(BCC_TEXEL even, BCC_TEXEL odd, BCC_TEXEL s0, BCC_TEXEL s1, BCC_TEXEL s2,
+  out BCC_VALUE c[{n}])
 {{
-  ivec3 o;
+  BCC_TEXEL o;
 {fetches}
 }}
 

@@ -6,8 +6,8 @@
 
 void FetchInFrame(BCCFrame frame, out BCC_VALUE c[BCC_STENCIL])
 {
-  BCC_FETCH(BCCEvenTexel(frame.Even), BCCOddTexel(frame.Odd), frame.Steps[0], frame.Steps[1],
-    frame.Steps[2], c);
+  BCC_FETCH(BCCEvenTexel(frame.Even), BCCOddTexel(frame.Odd), BCCTexel(frame.Steps[0]),
+    BCCTexel(frame.Steps[1]), BCCTexel(frame.Steps[2]), c);
 }
 
 // The value at a frame's point, and the derivatives along the axes of the lattice coordinates.

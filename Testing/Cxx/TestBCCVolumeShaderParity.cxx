@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The GLSL functions agree with their twins of Module/Core: roots of random functions, and splines,
 // by values and gradients at random points of a random volume and on the faces, edges and vertices
-// of tetrahedra and box. The shader's numbers are floats, drawn into a float target; the twins are
-// evaluated in double.
+// of tetrahedra and box, with coefficients in a 3D texture and in a buffer. The shader's numbers
+// are floats, drawn into a float target; the twins are evaluated in double.
 
 #include "BCCLattice.h"
 #include "BoxSpline.h"
 #include "FindRoot.h"
 #include "ShaderDrawing.h"
+#include "vtkBCCCoefficientBuffer.h"
 #include "vtkBCCCoefficientTexels.h"
 #include "vtkBCCLattice.h"
 #include "vtkBCCVolumeFrame.h"
@@ -81,8 +82,35 @@ vtkSmartPointer<vtkTextureObject> MakeTexture(vtkOpenGLRenderWindow* window)
   return texture;
 }
 
-// The value (x) and gradient (yzw) of one component of the spline at each point.
-std::vector<float> DrawSpline(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
+// What draws one component of the spline at each point: the value (x) and gradient (yzw).
+std::string GetImplementation(int components, int component)
+{
+  const std::string channel =
+    components == 1 ? std::string() : "[" + std::to_string(component) + "]";
+  return "BCC_VALUE x, y, z;\nBCC_VALUE value = EvaluateBoxSpline(point.xyz, x, y, z);\n"
+         "gl_FragData[0] = vec4(value" +
+    channel + ", x" + channel + ", y" + channel + ", z" + channel + ");\n";
+}
+
+std::vector<float> DrawFromBuffer(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
+  const vtkBCCCoefficientTexels& texels, const std::vector<float>& points, int component)
+{
+  vtkBCCCoefficientBuffer buffer;
+  buffer.Fill(window, texels, false);
+  const auto result =
+    DrawAtPoints(window, vtkBCCVolumeShaderText::GetSpline(kernel, texels.Components, ""),
+      GetImplementation(texels.Components, component), points, 3,
+      [&](vtkShaderProgram* program)
+      {
+        buffer.Activate(program, texels);
+        program->SetUniformi("in_bccCosetDepth", texels.Size.z / 2);
+      });
+  buffer.Deactivate();
+  buffer.ReleaseGraphicsResources(window);
+  return result;
+}
+
+std::vector<float> DrawFromTexture(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
   const vtkBCCCoefficientTexels& texels, const std::vector<float>& points, int component)
 {
   auto coefficients = MakeTexture(window);
@@ -93,15 +121,10 @@ std::vector<float> DrawSpline(vtkOpenGLRenderWindow* window, bravais::BCCKernel 
   coefficients->SetMagnificationFilter(filter);
   coefficients->SetMinificationFilter(filter);
   coefficients->Activate();
-  const std::string channel =
-    texels.Components == 1 ? std::string() : "[" + std::to_string(component) + "]";
   const auto result = DrawAtPoints(window,
     "uniform sampler3D coefficients;\n" +
       vtkBCCVolumeShaderText::GetSpline(kernel, texels.Components, "coefficients"),
-    "BCC_VALUE x, y, z;\nBCC_VALUE value = EvaluateBoxSpline(point.xyz, x, y, z);\n"
-    "gl_FragData[0] = vec4(value" +
-      channel + ", x" + channel + ", y" + channel + ", z" + channel + ");\n",
-    points, 3,
+    GetImplementation(texels.Components, component), points, 3,
     [&](vtkShaderProgram* program)
     {
       program->SetUniformi("coefficients", coefficients->GetTextureUnit());
@@ -158,7 +181,7 @@ int TestBCCVolumeShaderParity(int, char*[])
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(20);
   bool good = CompareRoots(window, random);
-  for (int components : { 1, 3 })
+  for (int components : { 1, 3, 4 })
   {
     const auto image = MakeVolume(random, components);
     auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
@@ -173,7 +196,14 @@ int TestBCCVolumeShaderParity(int, char*[])
       vtkBCCCoefficientTexels texels;
       texels.Pack(frame, values);
       const int component = components - 1;
-      const auto drawn = DrawSpline(window, kernel, texels, points, component);
+      const auto drawn = DrawFromTexture(window, kernel, texels, points, component);
+      if (kernel != bravais::BCCKernel::BCC12 && components != 3 &&
+        DrawFromBuffer(window, kernel, texels, points, component) != drawn)
+      {
+        vtkLog(ERROR, << bravais::GetName(kernel) << ", " << components
+                      << " component(s): a buffer gives another picture than a texture");
+        good = false;
+      }
       const int first = static_cast<int>(frame.Low[2]);
       // The mirrors of the twin stand at the box's ends too, but its first layer is even.
       const auto fetch = [&](const glm::ivec3& point)
