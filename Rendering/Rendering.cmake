@@ -56,6 +56,8 @@ set(BRAVAIS_SHADERS
   bccPixelRay
   bccRay
   bccRayCast
+  bccShowFirst
+  bccShowFirstPoints
   bccShowTraced
   bccSkip
   bccSkipImpl

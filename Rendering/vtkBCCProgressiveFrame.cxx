@@ -3,12 +3,15 @@
 #include "vtkBCCProgressiveFrame.h"
 
 #include "BayerFill.h"
+#include "bccShowFirstPoints_glsl.h"
+#include "bccShowFirst_glsl.h"
 #include "bccShowTraced_glsl.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -93,6 +96,9 @@ void vtkBCCProgressiveFrame::Allocate()
   this->Watch = std::make_unique<vtkBCCDepthWatch>(
     this->Window, this->Current.Viewport[2], this->Current.Viewport[3]);
   this->Pattern = bravais::BayerPattern::Create(2, this->Current.Log2BlockSize);
+  this->Steps = vtkSmartPointer<vtkTextureObject>::New();
+  this->Steps->SetContext(this->Window);
+  this->StepsPasses = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -165,41 +171,25 @@ void vtkBCCProgressiveFrame::StopTracing()
 }
 
 //------------------------------------------------------------------------------
-void vtkBCCProgressiveFrame::SetShowUniforms(vtkShaderProgram* program)
+void vtkBCCProgressiveFrame::UpdateSteps()
 {
-  std::vector<int> steps;
+  if (this->StepsPasses == this->Passes)
+  {
+    return;
+  }
+  std::vector<float> steps;
   for (const glm::ivec2& step : bravais::GetNearestFirstCells(*this->Pattern, this->Passes))
   {
-    steps.insert(steps.end(), { step.x, step.y });
+    steps.insert(steps.end(), { static_cast<float>(step.x), static_cast<float>(step.y) });
   }
-  program->SetUniform1iv("in_bccSteps", static_cast<int>(steps.size()), steps.data());
-  program->SetUniformi("in_bccLog2BlockSize", this->Current.Log2BlockSize);
-  program->SetUniform2i("in_bccCorner", this->Current.Viewport.data());
-  program->SetUniform2i("in_bccSize", this->Current.Viewport.data() + 2);
-  program->SetUniform2i("in_bccSmall", this->GetSmallSize().data());
-  program->SetUniformi("in_bccTraced", this->Colors->GetTextureUnit());
-  if (this->Depths)
-  {
-    program->SetUniformi("in_bccTracedDepth", this->Depths->GetTextureUnit());
-  }
+  const auto side = 1u << this->Current.Log2BlockSize;
+  this->Steps->Create2DFromRaw(side, side, 2, VTK_FLOAT, steps.data());
+  this->StepsPasses = this->Passes;
 }
 
 //------------------------------------------------------------------------------
 void vtkBCCProgressiveFrame::Show(const Draw& drawBox)
 {
-  std::string fragment = bccShowTraced_glsl;
-  if (this->Current.Depth)
-  {
-    vtkShaderProgram::Substitute(
-      fragment, "//VTK::Output::Dec", "#define BCC_DEPTH\n//VTK::Output::Dec");
-  }
-  vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
-    this->VertexShader.c_str(), fragment.c_str(), "");
-  if (!program)
-  {
-    return;
-  }
-
   // As vtkVolumeStateRAII, which VTK's ray caster draws in.
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
@@ -215,23 +205,99 @@ void vtkBCCProgressiveFrame::Show(const Draw& drawBox)
   state->vtkglEnable(GL_CULL_FACE);
   state->vtkglCullFace(GL_BACK);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->vtkglDepthMask(this->Current.Depth ? GL_TRUE : GL_FALSE);
-  if (this->Current.Depth)
-  {
-    state->vtkglDepthFunc(GL_ALWAYS); // The traced shader has made the test.
-  }
-
+  state->vtkglDepthMask(this->Depths ? GL_TRUE : GL_FALSE);
   this->Colors->Activate();
   if (this->Depths)
   {
+    // Rays of other pixels may not know of what is in front here. A pixel's own has made the test.
+    state->vtkglDepthFunc(this->IsComplete() ? GL_ALWAYS : GL_LEQUAL);
     this->Depths->Activate();
   }
-  this->SetShowUniforms(program);
-  drawBox(program);
+
+  if (this->Depths && this->Passes == 1)
+  {
+    this->ShowFirst();
+  }
+  else
+  {
+    this->ShowNearest(drawBox);
+  }
+
   this->Colors->Deactivate();
   if (this->Depths)
   {
     this->Depths->Deactivate();
   }
   state->vtkglCullFace(static_cast<unsigned int>(cullFace));
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkBCCProgressiveFrame::GetShowProgram(
+  const std::string& vertex, const std::string& fragment)
+{
+  vtkShaderProgram* program =
+    this->Window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  if (program)
+  {
+    program->SetUniform2i("in_bccSmall", this->GetSmallSize().data());
+    program->SetUniformi("in_bccTraced", this->Colors->GetTextureUnit());
+    if (this->Depths)
+    {
+      program->SetUniformi("in_bccTracedDepth", this->Depths->GetTextureUnit());
+    }
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCProgressiveFrame::ShowFirst()
+{
+  vtkShaderProgram* program = this->GetShowProgram(bccShowFirstPoints_glsl, bccShowFirst_glsl);
+  if (!program)
+  {
+    return;
+  }
+  const int block = 1 << this->Current.Log2BlockSize;
+  program->SetUniformi("in_bccBlockSize", block);
+  const auto& viewport = this->Current.Viewport;
+  const auto small = this->GetSmallSize();
+  const int columns = small[0] + 1;
+  const int rows = small[1] + 1;
+
+  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState::ScopedglViewport wide(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  state->vtkglViewport(viewport[0], viewport[1], block * columns, block * rows);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglPointSize(static_cast<float>(block));
+  this->Points->Bind();
+  glDrawArrays(GL_POINTS, 0, columns * rows);
+  this->Points->Release();
+  state->vtkglPointSize(1.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCProgressiveFrame::ShowNearest(const Draw& drawBox)
+{
+  std::string fragment = bccShowTraced_glsl;
+  if (this->Depths)
+  {
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::Output::Dec", "#define BCC_DEPTH\n//VTK::Output::Dec");
+  }
+  vtkShaderProgram* program = this->GetShowProgram(this->VertexShader, fragment);
+  if (!program)
+  {
+    return;
+  }
+  this->UpdateSteps();
+  this->Steps->Activate();
+  program->SetUniformi("in_bccSteps", this->Steps->GetTextureUnit());
+  program->SetUniformi("in_bccLog2BlockSize", this->Current.Log2BlockSize);
+  program->SetUniform2i("in_bccCorner", this->Current.Viewport.data());
+  program->SetUniform2i("in_bccSize", this->Current.Viewport.data() + 2);
+  drawBox(program);
+  this->Steps->Deactivate();
 }

@@ -12,7 +12,8 @@
  *
  * A pass goes StartTracing(), while VTK draws the volume by a program of bccPixelRay.glsl and
  * bccSmallPicture.glsl, StopTracing(), and Show(), which draws VTK's box over the viewport and
- * colours each pixel by its ray, or by the nearest that has been traced.
+ * colours each pixel by its ray, or by the nearest that has been traced. The first pass, which is
+ * all that a moving camera shows, is drawn as one point a block where there are depths.
  */
 
 #ifndef vtkBCCProgressiveFrame_h
@@ -21,6 +22,7 @@
 #include "BayerPattern.h"
 #include "vtkBCCDepthWatch.h"
 
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -33,6 +35,7 @@
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 class vtkTextureObject;
 
@@ -76,7 +79,10 @@ public:
 
 private:
   void Allocate();
-  void SetShowUniforms(vtkShaderProgram* program);
+  void UpdateSteps();
+  vtkShaderProgram* GetShowProgram(const std::string& vertex, const std::string& fragment);
+  void ShowFirst();
+  void ShowNearest(const Draw& drawBox);
   std::array<int, 2> GetSmallSize() const;
 
   struct TraceTarget;
@@ -91,6 +97,9 @@ private:
   bool Blend = false;
 
   std::unique_ptr<vtkBCCDepthWatch> Watch;
+  vtkSmartPointer<vtkTextureObject> Steps;   // from each cell of a block to the nearest traced one
+  std::int64_t StepsPasses = 0;              // for so many passes
+  vtkNew<vtkOpenGLVertexArrayObject> Points; // without attributes
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkSmartPointer<vtkTextureObject> Depths;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Small;
