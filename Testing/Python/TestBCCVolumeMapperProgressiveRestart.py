@@ -138,6 +138,15 @@ class TestBCCVolumeMapperProgressiveRestart(unittest.TestCase):
         refine(scene)
         numpy.testing.assert_array_equal(scene.render(), picture)
 
+    def test_stereo(self):
+        for kind in ("RedBlue", "SplitViewportHorizontal", "Interlaced"):
+            for mode in ("Composite", "IsoSurface"):
+                with self.subTest(kind, mode=mode):
+                    scene = make_scene(mode)
+                    getattr(scene.window, "SetStereoTypeTo" + kind)()
+                    scene.window.StereoRenderOn()
+                    completes(self, scene)
+
     def test_one_mapper_for_two_volumes(self):
         scene = make_scene()
         other = vtkVolume()
