@@ -162,6 +162,16 @@ vtkSmartPointer<vtkImageData> Scene::Grab()
   return grabber->GetOutput();
 }
 
+vtkRenderWindow* Scene::GetWindow()
+{
+  return this->Window;
+}
+
+vtkGPUVolumeRayCastMapper* Scene::GetMapper()
+{
+  return this->Mapper;
+}
+
 void Scene::Interact(const std::string& title)
 {
   vtkNew<vtkRenderWindowInteractor> interactor;

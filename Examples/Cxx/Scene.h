@@ -52,6 +52,11 @@ public:
   /// The picture as it is seen. Null after an error.
   vtkSmartPointer<vtkImageData> Grab();
 
+  vtkRenderWindow* GetWindow();
+
+  /// What draws the volume; null before Show.
+  vtkGPUVolumeRayCastMapper* GetMapper();
+
   /// Lets the user turn the volume about until the window is closed.
   void Interact(const std::string& title);
 

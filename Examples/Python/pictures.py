@@ -37,7 +37,10 @@ def write(path, array):
     writer.SetInputData(to_image(array))
     writer.SetFileName(str(path))
     writer.SetCompressionLevel(9)
+    writer.AddObserver("ErrorEvent", lambda *unused: None)  # the error code says it
     writer.Write()
+    if writer.GetErrorCode():
+        raise SystemExit(f"{path} cannot be written.")
     print(path)
 
 
