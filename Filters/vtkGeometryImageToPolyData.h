@@ -40,7 +40,8 @@
  * gixels are all unused, has no triangles, which is no error.
  *
  * @code{.py}
- * surface = vtkGeometryImageToPolyData(level_of_detail=1)
+ * surface = vtkGeometryImageToPolyData()
+ * surface.SetLevelOfDetail(1)
  * surface.SetInputConnection(mask.GetOutputPort())
  * mapper.SetInputConnection(surface.GetOutputPort())
  * @endcode

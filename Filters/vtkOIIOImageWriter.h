@@ -28,7 +28,9 @@
  * that cannot be written, and a volume without FilePrefix.
  *
  * @code{.py}
- * writer = vtkOIIOImageWriter(file_name="picture.exr", scalar_type=vtkOIIOImageWriter.Half)
+ * writer = vtkOIIOImageWriter()
+ * writer.SetFileName("picture.exr")
+ * writer.SetScalarTypeToHalf()
  * writer.SetInputConnection(reader.GetOutputPort())
  * writer.Write()
  * @endcode

@@ -26,7 +26,8 @@
  * a scalar type that VTK has no images of.
  *
  * @code{.py}
- * dither = vtkOrderedDither(number_of_levels=4, dimensionality=3, input_range=(-1024, 3000))
+ * dither = vtkOrderedDither()
+ * dither.SetNumberOfLevels(4)
  * dither.SetInputConnection(reader.GetOutputPort())
  * dither.Update()
  * @endcode

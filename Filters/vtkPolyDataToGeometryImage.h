@@ -46,7 +46,8 @@
  * precision cannot tell their triangles apart.
  *
  * @code{.py}
- * image = vtkPolyDataToGeometryImage(dimensions=(257, 257))
+ * image = vtkPolyDataToGeometryImage()
+ * image.SetDimensions(257, 257)
  * image.SetInputConnection(reader.GetOutputPort())
  * image.Update()
  * @endcode

@@ -26,7 +26,8 @@
  * 256, and an output beyond the machine's memory.
  *
  * @code{.py}
- * image = vtkRank1ImageReconstruct(output_dimensions=(512, 512))
+ * image = vtkRank1ImageReconstruct()
+ * image.SetOutputDimensions(512, 512)
  * image.SetInputConnection(rank1.GetOutputPort())
  * image.Update()
  * @endcode

@@ -29,7 +29,8 @@
  * machine's memory.
  *
  * @code{.py}
- * rank1 = vtkRank1ImageResample(number_of_points=65536)
+ * rank1 = vtkRank1ImageResample()
+ * rank1.SetNumberOfPoints(65536)
  * rank1.SetInputConnection(reader.GetOutputPort())
  * rank1.Update()
  * @endcode

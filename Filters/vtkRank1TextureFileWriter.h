@@ -30,7 +30,8 @@
  * a format without tiles, and an r-set of 2^31 pixels or more along an axis.
  *
  * @code{.py}
- * writer = vtkRank1TextureFileWriter(file_name="large.tif", compression="none")
+ * writer = vtkRank1TextureFileWriter()
+ * writer.SetFileName("large.tif")
  * writer.SetInputConnection(reader.GetOutputPort())
  * writer.Write()
  * @endcode

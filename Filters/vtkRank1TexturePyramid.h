@@ -29,7 +29,9 @@
  * Errors, with an empty output: those of vtkRank1ImageResample, and a number of levels below 0.
  *
  * @code{.py}
- * pyramid = vtkRank1TexturePyramid(kind=vtkRank1TexturePyramid.RSet, tiles=(16, 16))
+ * pyramid = vtkRank1TexturePyramid()
+ * pyramid.SetKindToRSet()
+ * pyramid.SetTiles(16, 16)
  * pyramid.SetInputConnection(reader.GetOutputPort())
  * pyramid.Update()
  * @endcode

@@ -40,10 +40,10 @@ if (BRAVAIS_WRAP_PYTHON)
     LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Bravais"
     BUILD_STATIC OFF)
-  foreach (file IN ITEMS __init__ arrays)
-    configure_file("Module/Python/${file}.py"
-      "${CMAKE_BINARY_DIR}/${BRAVAIS_PYTHON_DIR}/bravais/${file}.py" COPYONLY)
-    install(FILES "Module/Python/${file}.py" DESTINATION "${BRAVAIS_PYTHON_DIR}/bravais")
+  set(package "${CMAKE_BINARY_DIR}/${BRAVAIS_PYTHON_DIR}/bravais")
+  foreach (file IN ITEMS __init__ arrays pictures pipeline)
+    configure_file("Module/Python/${file}.py" "${package}/${file}.py" @ONLY)
+    install(FILES "${package}/${file}.py" DESTINATION "${BRAVAIS_PYTHON_DIR}/bravais")
   endforeach ()
 endif ()
 

@@ -2,9 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bravais: sampling, reconstruction and rendering on lattices other than the Cartesian grid.
 
-The classes are VTK's kind, vtkBCCVolumeSource for one: help(bravais.vtkBCCVolumeSource). The
-functions of bravais.arrays, which turn NumPy arrays into lattice images and back, are here too:
-bravais.bcc_from_numpy for one. NumPy is loaded when the first of them is used.
+Five lines from nothing to a picture:
+
+    import bravais
+
+    volume = bravais.apply(bravais.vtkBCCVolumeSource)
+    pixels = bravais.render(bravais.isosurface(volume, 0.5))
+    bravais.write_picture("marschner-lobb.png", pixels)
+
+Functions; each has help of its own, help(bravais.render) for one:
+
+    arrays      NumPy arrays as lattice images and back: bcc_from_numpy, bcc_to_numpy, bcc_points,
+                rank1_from_numpy, rank1_to_numpy, geometry_from_numpy, geometry_to_numpy,
+                image_from_numpy, image_to_numpy, bayer_thresholds
+    pictures    isosurface, surface, render, make_window, grab, read_picture, write_picture
+    pipeline    apply, which runs any of VTK's algorithms in one call; rank1_sample
+
+Constants: BCC4, BCC7, BCC8 and BCC12, the kernels of BCC volumes; all others are their classes',
+vtkImageToBCCVolume.Subset for one. Classes:
+
 """
 
 # VTK's factories for rendering register themselves when these are imported; without them a
@@ -16,18 +32,38 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
 from .vtkBravais import *  # noqa: F401,F403
 
+__version__ = "@PROJECT_VERSION@"
+
+BCC4, BCC7, BCC8, BCC12 = (
+    getattr(vtkBCCLattice, name) for name in ("BCC4", "BCC7", "BCC8", "BCC12")  # noqa: F405
+)
+
+_MODULES = "arrays", "pictures", "pipeline"  # NumPy is loaded when one of them is first used
+
+
+def _describe(name):
+    """A line for help(): a class's name, and what its documentation says in brief."""
+    brief = (globals()[name].__doc__ or "").split("\n\n")[0].split(" - ", 1)[-1]
+    return f"    {name:<31} {' '.join(brief.split())}"
+
+
+if __doc__:  # there is none where Python was told to leave out texts
+    __doc__ += "\n".join(_describe(name) for name in sorted(globals())
+                         if name.startswith("vtk") and isinstance(globals()[name], type))
+
 
 def __getattr__(name):
     import importlib
 
     if not name.startswith("_"):
-        arrays = importlib.import_module(".arrays", __name__)
-        if name == "arrays" or name in arrays.__all__:
-            return getattr(arrays, name, arrays)
+        for module in _MODULES:
+            found = importlib.import_module("." + module, __name__)
+            if name == module:
+                return found
+            if name in found.__all__:
+                return getattr(found, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__():
-    from . import arrays
-
-    return sorted(set(globals()) | set(arrays.__all__))
+    return sorted({*globals(), *(name for module in _MODULES for name in __getattr__(module).__all__)})

@@ -54,9 +54,12 @@ def image_from_numpy(values, spacing=(1, 1, 1), origin=(0, 0, 0), components=Fal
     return _make_image(values, values.shape[:axes], spacing, origin, name)
 
 
-def image_to_numpy(image):
-    """The scalars of any vtkImageData as (nz, ny, nx), or (nz, ny, nx, components) of several."""
-    return _get_values(image, None)
+def image_to_numpy(image, name=None):
+    """The scalars of any vtkImageData as (nz, ny, nx), or (nz, ny, nx, components) of several.
+
+    With a name, that point array instead: `image_to_numpy(image, "Gradients")`.
+    """
+    return _get_values(image, None, name)
 
 
 def bcc_from_numpy(values, spacing=(1, 1, 0.5), origin=(0, 0, 0), name="Scalars"):
@@ -250,14 +253,15 @@ def _make_image(values, shape, spacing, origin, name, vectors=False):
     return image
 
 
-def _get_values(image, tag):
+def _get_values(image, tag, name=None):
     if tag is not None:
         _check_tag(image, tag)
     elif image is None or not image.IsA("vtkImageData"):
         raise TypeError(f"{image!r} is no vtkImageData.")
-    scalars = image.GetPointData().GetScalars()
+    data = image.GetPointData()
+    scalars = data.GetScalars() if name is None else data.GetArray(name)
     if scalars is None:
-        raise ValueError("The image has no point scalars.")
+        raise ValueError(f"The image has no point {'scalars' if name is None else f'array {name}'}.")
     values = vtk_to_numpy(scalars)
     return values.reshape(tuple(reversed(image.GetDimensions())) + values.shape[1:])
 

@@ -45,6 +45,14 @@ class TestRoundTrip(unittest.TestCase):
         self.assertEqual(image.GetScalarComponentAsFloat(1, 2, 3, 1), values[3, 2, 1, 1])
         numpy.testing.assert_array_equal(bravais.bcc_to_numpy(image), values)
 
+    def test_named_array(self):
+        volume = bravais.apply(bravais.vtkBCCVolumeSource, Dimensions=(4, 4, 8))
+        image = bravais.apply(bravais.vtkBCCVolumeToImage, volume, ComputeGradients=True)
+        gradients = bravais.image_to_numpy(image, "Gradients")
+        self.assertEqual(gradients.shape, bravais.image_to_numpy(image).shape + (3,))
+        with self.assertRaisesRegex(ValueError, "no point array Nothing"):
+            bravais.image_to_numpy(image, "Nothing")
+
     def test_rank1(self):
         for shape in ((13,), (13, 3), (2, 4, 13), (2, 4, 13, 3)):
             values = count_up(shape)
