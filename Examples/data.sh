@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
 #
-# Volumes and a mesh that Debian's packages hold; sourced after Module/CMake/shell.sh from the project's root
-# folder. The packages are unpacked into the build tree, not installed.
+# Volumes, a mesh and a photograph that Debian's packages hold; sourced after Module/CMake/shell.sh
+# from the project's root folder. The packages are unpacked into the build tree, not installed.
 #
 #   bravais_fetch_head <folder>    prints the path of a CT of a head, bravais_head_options its view
 #   bravais_fetch_brain <folder>   the same of an MRI of a head (Colin 27)
 #   bravais_fetch_bunny <folder>   that of a mesh, Stanford's bunny
+#   bravais_fetch_portrait <folder>  that of a photograph of 512 x 512 pixels (NASA)
 # All fail with a message if the file cannot be had or is not the expected one.
 
 bravais_head_options=(--inner 300 --outer -300 --isolate -300 --from 0.6 1 0.2 --zoom 1.7
@@ -60,5 +61,12 @@ bravais_fetch_bunny() {
   local file=usr/share/glmark2/models/bunny.obj
   bravais_unpack "$1" glmark2-data "$file" \
     bff773d28c62e80187b2dfa8c6c8cc771a4c7707ddcdcf2e515913d322d1f548 &&
+    echo "$1/$file"
+}
+
+bravais_fetch_portrait() {
+  local file=usr/lib/python3/dist-packages/imageio/resources/images/astronaut.png
+  bravais_unpack "$1" python3-imageio "$file" \
+    b6d8f15b9103f9f9368608886d396d9ce92b10989aee1539a1e37dd1a415b9dd &&
     echo "$1/$file"
 }

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A photograph at 2, 4 and 8 levels: rounded to the nearest level above, dithered below.

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
 """An MRI volume at 4 levels, rendered by VTK: as it is, rounded, and dithered in 2D and 3D.
