@@ -154,8 +154,11 @@ def grab(window):
 
 
 def render(*props, **options):
-    """A picture of props, vtkVolume or vtkActor, bytes [y, x, RGB]. Options are make_window's."""
-    window = make_window(*props, **options)
+    """A picture of props, vtkVolume or vtkActor, bytes [y, x, RGB]. Options are make_window's.
+
+    With a window in their place, `render(window)`, that is drawn once more.
+    """
+    window = props[0] if props and props[0].IsA("vtkRenderWindow") else make_window(*props, **options)
     window.Render()
     return grab(window)
 

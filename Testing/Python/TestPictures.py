@@ -37,6 +37,15 @@ class TestRender(unittest.TestCase):
         box.Render()
         self.assertLess((get_shown(bravais.grab(box)) != one).mean(), 0.01)
 
+    def test_a_window_again(self):
+        ball = bravais.surface(bravais.apply(vtkSphereSource))
+        window = bravais.make_window(ball, size=(50, 40))
+        first = bravais.render(window)
+        numpy.testing.assert_array_equal(first, bravais.render(ball, size=(50, 40)))
+        ball.GetProperty().SetColor(0, 0, 1)
+        numpy.testing.assert_array_equal(bravais.grab(window), first)
+        self.assertGreater(numpy.abs(bravais.render(window).astype(int) - first).max(), 50)
+
     def test_y_is_upwards(self):
         ball = bravais.apply(vtkSphereSource, Center=(0, 0, 3))
         floor = bravais.apply(vtkSphereSource)
