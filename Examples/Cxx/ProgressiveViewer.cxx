@@ -118,7 +118,7 @@ public:
 
   vtkSmartPointer<vtkImageData> Grab()
   {
-    const auto picture = vtkSmartPointer<vtkImageData>::New();
+    auto picture = vtkSmartPointer<vtkImageData>::New();
     picture->DeepCopy(this->Stage.Grab());
     return picture;
   }
@@ -184,8 +184,7 @@ vtkSmartPointer<vtkImageData> Load(const VolumeOptions& options, std::string& wh
     return source->GetOutput();
   }
   const vtkSmartPointer<vtkImageData> image = ReadVolume(options.Path, why);
-  const vtkSmartPointer<vtkImageData> volume =
-    image ? ResampleToBCC(image, options.Ratio) : nullptr;
+  vtkSmartPointer<vtkImageData> volume = image ? ResampleToBCC(image, options.Ratio) : nullptr;
   if (image && !volume)
   {
     why = ErrorLog::TakeFirstError();

@@ -26,9 +26,10 @@ def apply(algorithm, *inputs, **settings):
         algorithm = algorithm()
     for name, value in settings.items():
         _set(algorithm, name, value)
-    with _Errors(algorithm, algorithm.GetExecutive()):
+    steps = [algorithm, *(data for data in inputs if _is_algorithm(data))]
+    with _Errors(*steps, *(step.GetExecutive() for step in steps)):
         for port, data in enumerate(inputs):
-            if data is not None and data.IsA("vtkAlgorithm"):
+            if _is_algorithm(data):
                 algorithm.SetInputConnection(port, data.GetOutputPort())
             else:
                 algorithm.SetInputDataObject(port, data)
@@ -62,6 +63,10 @@ def rank1_sample(texture, uv, footprints=None, **settings):
         sampler.Sample(numpy_to_vtk(uv.reshape(-1, uv.shape[-1])), footprints, values)
     components = values.GetNumberOfComponents()
     return vtk_to_numpy(values).reshape(uv.shape[:-1] + ((components,) if components > 1 else ()))
+
+
+def _is_algorithm(data):
+    return data is not None and data.IsA("vtkAlgorithm")
 
 
 def _set(algorithm, name, value):

@@ -79,6 +79,10 @@ class TestApply(unittest.TestCase):
             bravais.apply(bravais.vtkBCCVolumeSource, Dimensions=(0, 1, 1))
         with self.assertRaisesRegex(RuntimeError, "[Ii]nput"):
             bravais.apply(bravais.vtkBCCVolumeToImage)
+        source = bravais.vtkBCCVolumeSource()
+        source.SetDimensions(0, 1, 1)
+        with self.assertRaisesRegex(RuntimeError, "Dimensions are 0, 1, 1"):
+            bravais.apply(bravais.vtkBCCVolumeToImage, source)
         with self.assertRaises(TypeError):
             bravais.apply(bravais.vtkBCCVolumeSource, Dimensions="many")
 
