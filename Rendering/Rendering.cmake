@@ -23,6 +23,7 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCVolumeFrame
   vtkBCCVolumeInput
   vtkBCCVolumeMask
+  vtkBCCVolumePiece
   vtkBCCVolumeRays
   vtkBCCVolumeShaderStage
   vtkBCCVolumeShaderText
@@ -53,6 +54,9 @@ set(BRAVAIS_SHADERS
   bccNothing
   bccNowhere
   bccPicking
+  bccPiece
+  bccPieceEnter
+  bccPieceImpl
   bccPixelRay
   bccRay
   bccRayCast

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCCoefficientArray.h"
 
+#include "vtkBCCLattice.h"
+
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 vtkStandardNewMacro(vtkBCCCoefficientArray);
 
 //------------------------------------------------------------------------------
-bool vtkBCCCoefficientArray::Describe(vtkDataArray* samples)
+bool vtkBCCCoefficientArray::Describe(vtkDataArray* samples, vtkImageData* image)
 {
   const int components = samples->GetNumberOfComponents();
   this->SetNumberOfComponents(components);
@@ -18,7 +20,10 @@ bool vtkBCCCoefficientArray::Describe(vtkDataArray* samples)
   for (int component = 0; component < components; ++component)
   {
     double* range = this->Ranges.data() + 2 * component;
-    samples->GetFiniteRange(range, component);
+    if (!vtkBCCLattice::GetWholeRange(image, samples->GetName(), component, range))
+    {
+      samples->GetFiniteRange(range, component);
+    }
     finite = finite && range[0] <= range[1];
   }
   this->Modified();

@@ -16,15 +16,17 @@
 
 #include <vector>
 
+class vtkImageData;
+
 class vtkBCCCoefficientArray : public vtkFloatArray
 {
 public:
   static vtkBCCCoefficientArray* New();
   vtkTypeMacro(vtkBCCCoefficientArray, vtkFloatArray);
 
-  /// Takes the component count and the finite ranges of an array. False if
-  /// a component has no finite value.
-  bool Describe(vtkDataArray* samples);
+  /// Takes the component count and the finite ranges of an array of an image, those that are
+  /// noted for the whole volume if it is a piece. False if a component has no finite value.
+  bool Describe(vtkDataArray* samples, vtkImageData* image);
 
 protected:
   vtkBCCCoefficientArray() = default;

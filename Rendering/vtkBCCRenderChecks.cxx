@@ -36,6 +36,12 @@ void ForEachLight(vtkRenderer* renderer, Function function)
   }
 }
 
+// VTK would look for other masks beyond their arrays.
+bool StartsAtZero(const int extent[6])
+{
+  return extent[0] == 0 && extent[2] == 0 && extent[4] == 0;
+}
+
 bool HasScalars(vtkImageData* image)
 {
   return image->GetNumberOfCells() > 0 &&
@@ -75,6 +81,10 @@ bool vtkBCCRenderChecks::Check(
   else if (mapper->GetMaskInput() && !HasScalars(mapper->GetMaskInput()))
   {
     why = "The mask has no scalars; it has to be an image of labels.";
+  }
+  else if (mapper->GetMaskInput() && !StartsAtZero(mapper->GetMaskInput()->GetExtent()))
+  {
+    why = "The mask's extent does not begin at 0, where VTK takes its first label to be.";
   }
   return why.empty();
 }

@@ -11,8 +11,14 @@
 
 //------------------------------------------------------------------------------
 vtkBCCVolumeFrame::vtkBCCVolumeFrame(vtkImageData* volume)
+  : vtkBCCVolumeFrame(volume, volume->GetExtent())
 {
-  volume->GetExtent(this->Extent);
+}
+
+//------------------------------------------------------------------------------
+vtkBCCVolumeFrame::vtkBCCVolumeFrame(vtkImageData* volume, const int extent[6])
+{
+  std::copy_n(extent, 6, this->Extent);
   const double* spacing = volume->GetSpacing();
   std::copy_n(volume->GetDirectionMatrix()->GetData(), 9, this->Direction);
   for (int axis = 0; axis < 3; ++axis)
@@ -33,6 +39,17 @@ vtkBCCVolumeFrame::vtkBCCVolumeFrame(vtkImageData* volume)
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkBCCVolumeFrame::GetNumberOfPoints() const
+{
+  vtkIdType count = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    count *= this->Extent[2 * axis + 1] - this->Extent[2 * axis] + 1;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 void vtkBCCVolumeFrame::GetGradientMatrix(float matrix[9]) const
 {
   for (int i = 0; i < 9; ++i)
@@ -44,13 +61,23 @@ void vtkBCCVolumeFrame::GetGradientMatrix(float matrix[9]) const
 }
 
 //------------------------------------------------------------------------------
-void vtkBCCVolumeFrame::FitStandIn(vtkImageData* standIn) const
+void vtkBCCVolumeFrame::FitStandIn(vtkImageData* standIn, bool oneCell) const
 {
+  const int cells[3] = { this->Extent[1] - this->Extent[0] + 1,
+    this->Extent[3] - this->Extent[2] + 1, this->Extent[5] - this->Extent[4] };
   standIn->Initialize();
   standIn->SetOrigin(this->Origin);
-  standIn->SetSpacing(this->Spacing);
   standIn->SetDirectionMatrix(const_cast<double*>(this->Direction));
-  standIn->SetDimensions(this->Extent[1] - this->Extent[0] + 2,
-    this->Extent[3] - this->Extent[2] + 2, this->Extent[5] - this->Extent[4] + 1);
+  if (oneCell)
+  {
+    standIn->SetSpacing(
+      this->Spacing[0] * cells[0], this->Spacing[1] * cells[1], this->Spacing[2] * cells[2]);
+    standIn->SetDimensions(2, 2, 2);
+  }
+  else
+  {
+    standIn->SetSpacing(this->Spacing);
+    standIn->SetDimensions(cells[0] + 1, cells[1] + 1, cells[2] + 1);
+  }
   standIn->Modified();
 }

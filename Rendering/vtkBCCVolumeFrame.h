@@ -17,6 +17,7 @@
 #define vtkBCCVolumeFrame_h
 
 #include "vtkBravaisModule.h" // For export macro
+#include "vtkType.h"
 
 class vtkImageData;
 
@@ -25,8 +26,15 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeFrame
   /// The frame of a tagged image of at least one point a row and two layers.
   explicit vtkBCCVolumeFrame(vtkImageData* volume);
 
-  /// Gives an image the volume's box, direction and number of cells; drops what it holds.
-  void FitStandIn(vtkImageData* standIn) const;
+  /// The frame of another extent of its lattice: the whole of which the image is a piece, or a
+  /// part.
+  vtkBCCVolumeFrame(vtkImageData* volume, const int extent[6]);
+
+  /// Gives an image the volume's box, direction and number of cells; drops what it holds. With one
+  /// cell only, VTK's texture is small: for a piece, whose process has no room for the whole.
+  void FitStandIn(vtkImageData* standIn, bool oneCell = false) const;
+
+  vtkIdType GetNumberOfPoints() const;
 
   /// What makes the gradient in the volume's own system, direction and all, of derivatives along
   /// lattice coordinates: a matrix by columns.
@@ -37,10 +45,11 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeFrame
   double High[3];
   /// Derivatives of the lattice coordinates along the axes of the volume's own system.
   double LatticePerUnit[3];
+  /// The edges of a cell of the stand-in that has as many as samples.
+  double Spacing[3];
 
 private:
   double Origin[3]; // The corner where texture coordinates are 0.
-  double Spacing[3];
   double Direction[9];
 };
 

@@ -5,6 +5,7 @@
 #include "BCCChecks.h"
 #include "BCCCoefficients.h"
 #include "vtkBCCCoefficientArray.h"
+#include "vtkBCCLattice.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -30,7 +31,10 @@ bool vtkBCCVolumeInput::SetSource(vtkImageData* image, vtkDataArray* scalars, st
   }
   this->Source->ShallowCopy(image);
   this->Source->GetPointData()->SetScalars(scalars);
-  if (!bravais::CheckBCCImage(this->Source, why))
+  int whole[6];
+  int piece[6];
+  const bool part = vtkBCCLattice::GetPiece(image, whole, piece);
+  if (!bravais::CheckBCCImage(this->Source, part ? whole : nullptr, why))
   {
     return false;
   }
@@ -46,10 +50,19 @@ bool vtkBCCVolumeInput::SetSource(vtkImageData* image, vtkDataArray* scalars, st
 }
 
 //------------------------------------------------------------------------------
+bool vtkBCCVolumeInput::SetReach(int kernel, int prefilter, const int reach[3], std::string& why)
+{
+  this->Piece.emplace(this->Source, prefilter);
+  return !this->Piece->IsPart ||
+    (this->Piece->Check(kernel, prefilter, why) && this->Piece->CheckGhosts(reach, why));
+}
+
+//------------------------------------------------------------------------------
 bool vtkBCCVolumeInput::CheckTexture(
   int limit, double bytes, bool halfFloats, std::string& why) const
 {
-  const glm::ivec3 size = vtkBCCCoefficientTexels::GetSize(vtkBCCVolumeFrame(this->Source));
+  const glm::ivec3 size =
+    vtkBCCCoefficientTexels::GetSize(vtkBCCVolumeFrame(this->Source, this->Piece->Coefficients));
   if (std::max({ size.x, size.y, size.z }) > limit)
   {
     why = "The input needs a texture of " + std::to_string(size.x) + " x " +
@@ -91,26 +104,27 @@ bool vtkBCCVolumeInput::Compute(int kernel, int prefilter, bool halfFloats, std:
   this->Bricks.reset();
   vtkDataArray* scalars = this->Source->GetPointData()->GetScalars();
   vtkNew<vtkBCCCoefficientArray> description;
-  if (!description->Describe(scalars))
+  if (!description->Describe(scalars, this->Source))
   {
     why = "A component of the input's scalars has no finite value.";
     return false;
   }
-  const int* extent = this->Source->GetExtent();
+  const int* extent = this->Piece->Coefficients;
   auto coefficients = vtkSmartPointer<vtkDataArray>::Take(
     vtkDataArray::CreateDataArray(bravais::GetBCCCoefficientType(scalars->GetDataType())));
   coefficients->SetNumberOfComponents(scalars->GetNumberOfComponents());
-  coefficients->SetNumberOfTuples(this->Source->GetNumberOfPoints());
+  const vtkBCCVolumeFrame held(this->Source, extent);
+  coefficients->SetNumberOfTuples(held.GetNumberOfPoints());
   bravais::ComputeBCCCoefficients(
-    nullptr, this->Source, extent, kernel, prefilter, coefficients, extent, 0, 1);
-  const vtkBCCVolumeFrame frame(this->Source);
-  this->Texels.Pack(frame, coefficients);
+    nullptr, this->Source, this->Piece->Whole, kernel, prefilter, coefficients, extent, 0, 1);
+  this->Texels.Pack(held, coefficients);
   this->CoefficientError = 0.0;
-  if (halfFloats && !this->RoundToHalf(scalars, why))
+  if (halfFloats && !this->RoundToHalf(description, why))
   {
     return false;
   }
-  frame.FitStandIn(this->StandIn);
+  const vtkBCCVolumeFrame frame(this->Source, this->Piece->Whole);
+  frame.FitStandIn(this->StandIn, this->Piece->IsPart);
   this->StandIn->GetCellData()->SetScalars(description);
   this->Frame = frame;
   this->LoadTime.Modified();
@@ -144,7 +158,7 @@ const bravais::BCCBricks& vtkBCCVolumeInput::GetBricks()
 {
   if (!this->Bricks)
   {
-    const vtkBCCVolumeFrame& frame = *this->Frame;
+    const vtkBCCVolumeFrame frame(this->Source, this->Piece->Coefficients);
     const auto kernel = static_cast<bravais::BCCKernel>(std::get<3>(this->Loaded));
     const bravais::BCCTexels texels = { this->Texels.Values.data(), this->Texels.Size,
       this->Texels.Components };
@@ -160,6 +174,21 @@ const bravais::BCCBricks& vtkBCCVolumeInput::GetBricks()
       });
   }
   return *this->Bricks;
+}
+
+//------------------------------------------------------------------------------
+vtkBCCVolumeFrame vtkBCCVolumeInput::GetHeldFrame() const
+{
+  vtkBCCVolumeFrame held(this->Source);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int units = axis == 2 ? 1 : 2;
+    const double low = units * (this->Piece->Held[2 * axis] - this->Piece->Whole[2 * axis]) +
+      (axis == 2 ? this->Piece->Whole[4] & 1 : 0);
+    held.High[axis] += low - held.Low[axis];
+    held.Low[axis] = low;
+  }
+  return held;
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include "BCCBricks.h"
 #include "vtkBCCCoefficientTexels.h"
 #include "vtkBCCVolumeFrame.h"
+#include "vtkBCCVolumePiece.h"
 
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
@@ -36,6 +37,10 @@ public:
   /// Takes an image and point scalars of it.
   bool SetSource(vtkImageData* image, vtkDataArray* scalars, std::string& why);
 
+  /// Finds out what part of a volume the image is, and whether that is enough for look-ups that
+  /// reach so many lattice units beyond it.
+  bool SetReach(int kernel, int prefilter, const int reach[3], std::string& why);
+
   /// Whether the texture fits OpenGL's largest, and coefficients and bricks so many bytes.
   bool CheckTexture(int limit, double bytes, bool halfFloats, std::string& why) const;
 
@@ -45,10 +50,14 @@ public:
   /// Bounds of the spline in bricks; computed when they are first asked for after a Load().
   const bravais::BCCBricks& GetBricks();
 
+  /// The box of the samples that the source has, in the lattice coordinates of the whole volume.
+  vtkBCCVolumeFrame GetHeldFrame() const;
+
   /// What makes 0 to 1 of the samples' type, as textures of VTK do for colours.
   float GetNormalizer() const;
 
-  std::optional<vtkBCCVolumeFrame> Frame;
+  std::optional<vtkBCCVolumeFrame> Frame; ///< Of the whole volume.
+  std::optional<vtkBCCVolumePiece> Piece;
   vtkBCCCoefficientTexels Texels;
   vtkNew<vtkImageData> StandIn; ///< What VTK is shown: see vtkBCCVolumeFrame.
   vtkTimeStamp LoadTime;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCVolumeMapper.h"
 
+#include "BCCBricks.h"
 #include "BCCChecks.h"
 #include "BCCCoefficients.h"
 #include "BCCPrefilter.h"
@@ -12,13 +13,17 @@
 #include "vtkBCCRenderChecks.h"
 #include "vtkBCCVolumeInput.h"
 #include "vtkBCCVolumeMask.h"
+#include "vtkBCCVolumePiece.h"
 #include "vtkBCCVolumeShaderStage.h"
 #include "vtkBCCVolumeShaderText.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
@@ -33,8 +38,10 @@
 #include "vtk_glew.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -206,6 +213,88 @@ double* vtkBCCVolumeMapper::GetBounds()
 }
 
 //------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::FindReach(
+  const double latticePerUnit[3], double distance, bool surfaces, int reach[3]) const
+{
+  const auto kernel = bravais::ToBCCKernel(this->Kernel);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Two samples before the part and after it tell of surfaces within.
+    const double samples = surfaces ? 2.02 * distance * latticePerUnit[axis] : 0.0;
+    const int cell = this->AnalyticGradients ? 0 : (axis == 2 ? 1 : 2);
+    const double far = bravais::BCCBricks::GetReach(kernel.value_or(bravais::BCCKernel::BCC12)) -
+      1 + std::ceil(samples) + cell;
+    reach[axis] = static_cast<int>(std::min(far, 1e6));
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkBCCVolumeMapper::GetNumberOfGhostLevels(const double spacing[3], double scale)
+{
+  const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+  const double least = std::min({ spacing[0], spacing[1], spacing[2] });
+  const double distance = this->AutoAdjustSampleDistances
+    ? least * scale
+    : (this->LockSampleDistanceToInputSpacing ? mean / 2.0 : this->SampleDistance);
+  const double latticePerUnit[3] = { 2.0 / spacing[0], 2.0 / spacing[1], 1.0 / spacing[2] };
+  int reach[3];
+  this->FindReach(latticePerUnit, distance, true, reach);
+  int levels = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    levels =
+      std::max(levels, vtkBCCVolumePiece::GetGhostLevels(axis, reach[axis], this->Prefilter));
+  }
+  return levels;
+}
+
+//------------------------------------------------------------------------------
+// The sample distance that VTK would take for the whole's stand-in.
+float vtkBCCVolumeMapper::FindSampleDistance(const vtkBCCVolumeFrame& frame, vtkVolume* volume)
+{
+  double spacing[3];
+  std::copy_n(frame.Spacing, 3, spacing);
+  if (this->AutoAdjustSampleDistances)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double column[3];
+      for (int row = 0; row < 3; ++row)
+      {
+        column[row] = volume->GetMatrix()->GetElement(row, axis);
+      }
+      least = std::min(least, spacing[axis] * vtkMath::Norm(column));
+    }
+    return static_cast<float>(least);
+  }
+  if (this->LockSampleDistanceToInputSpacing)
+  {
+    int extent[6] = { 0, frame.Extent[1] - frame.Extent[0] + 1, 0,
+      frame.Extent[3] - frame.Extent[2] + 1, 0, frame.Extent[5] - frame.Extent[4] };
+    const auto distance = static_cast<float>(this->SpacingAdjustedSampleDistance(spacing, extent));
+    return std::abs(this->SampleDistance / distance - 1.0f) > 0.001f ? distance
+                                                                     : this->SampleDistance;
+  }
+  return this->SampleDistance;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeMapper::CheckPiece(vtkVolume* volume, vtkImageData* image, std::string& why)
+{
+  int whole[6];
+  int piece[6];
+  int reach[3] = { 0, 0, 0 };
+  if (vtkBCCLattice::GetPiece(image, whole, piece))
+  {
+    const vtkBCCVolumeFrame frame(image, whole);
+    this->FindReach(frame.LatticePerUnit, this->FindSampleDistance(frame, volume),
+      this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND, reach);
+  }
+  return this->Impl->Input.SetReach(this->Kernel, this->Prefilter, reach, why);
+}
+
+//------------------------------------------------------------------------------
 bool vtkBCCVolumeMapper::CheckPatterns(std::string& why) const
 {
   if (this->JitterPattern < NoJitter || this->JitterPattern > BayerJitter)
@@ -239,13 +328,18 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
     source->Update();
   }
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  if (image && vtkBCCVolumePiece(image, this->Prefilter).IsEmpty())
+  {
+    return false; // with nothing to tell
+  }
   int cellFlag = 0;
   vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
     image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
   vtkBCCVolumeInput& input = this->Impl->Input;
   if (!input.SetSource(image, cellFlag == 0 ? scalars : nullptr, why) ||
     !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why) ||
-    !vtkBCCRenderChecks::CheckShading(renderer, volume, scalars->GetNumberOfComponents(), why))
+    !vtkBCCRenderChecks::CheckShading(renderer, volume, scalars->GetNumberOfComponents(), why) ||
+    !this->CheckPiece(volume, image, why))
   {
     return false;
   }
@@ -364,6 +458,25 @@ void vtkBCCVolumeMapper::FinishPass(
 }
 
 //------------------------------------------------------------------------------
+// VTK would take sample distances from a stand-in that is not divided into cells, and the time.
+void vtkBCCVolumeMapper::RenderPiece(vtkRenderer* renderer, vtkVolume* volume)
+{
+  const vtkBCCVolumeFrame& frame = *this->Impl->Input.Frame;
+  const auto kept = std::make_tuple(
+    this->AutoAdjustSampleDistances, this->LockSampleDistanceToInputSpacing, this->SampleDistance);
+  this->SampleDistance = this->FindSampleDistance(frame, volume);
+  this->AutoAdjustSampleDistances = 0;
+  this->LockSampleDistanceToInputSpacing = 0;
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    selector->UpdateMaximumCellId(this->GetInput()->GetNumberOfPoints());
+  }
+  this->Superclass::Render(renderer, volume);
+  std::tie(this->AutoAdjustSampleDistances, this->LockSampleDistanceToInputSpacing,
+    this->SampleDistance) = kept;
+}
+
+//------------------------------------------------------------------------------
 void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (!renderer || !volume)
@@ -375,7 +488,10 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   std::string why;
   if (!this->Prepare(renderer, volume, why))
   {
-    this->ReportOnce(why);
+    if (!why.empty())
+    {
+      this->ReportOnce(why);
+    }
     return;
   }
 
@@ -411,7 +527,7 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     property->GetShade() ? vtkBCCRenderChecks::GetLightComplexity(renderer) : 0;
   options.Mask = this->MaskInput ? this->MaskType : -1;
   options.LatticeMask =
-    this->MaskInput && vtkBCCVolumeMask::IsLattice(this->MaskInput, *impl.Input.Frame);
+    this->MaskInput && vtkBCCVolumeMask::IsLattice(this->MaskInput, impl.Input.GetHeldFrame());
   options.UserHash = vtkBCCShaderCheck::GetHash(volume);
   options.BayerJitter = this->JitterPattern == BayerJitter;
   options.HalfFloats = this->HalfFloatCoefficients;
@@ -421,6 +537,7 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   options.PixelRays = !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
   options.Progressive = this->IsTracedInPasses(renderer, volume);
   options.Components = impl.Input.Texels.Components;
+  options.Piece = impl.Input.Piece->IsPart;
   // Where a ray without surfaces ends tells VTK what is picked.
   if (this->EmptySpaceSkipping && (options.RefineRoots || !renderer->GetSelector()))
   {
@@ -436,7 +553,14 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   vtkBCCProgressiveFrame* frame =
     options.Progressive ? this->StartPass(renderer, volume, options.WriteDepth) : nullptr;
   impl.Stage->SetTarget(frame);
-  this->Superclass::Render(renderer, volume);
+  if (options.Piece)
+  {
+    this->RenderPiece(renderer, volume);
+  }
+  else
+  {
+    this->Superclass::Render(renderer, volume);
+  }
   impl.Stage->End();
   this->FinishPass(renderer, volume, frame);
   this->ScalarMode = scalarMode;

@@ -34,6 +34,15 @@
  * changes, and nothing is rendered. NaN samples spread as far as prefilter and kernel reach, and
  * leave holes.
  *
+ * A piece of a volume with ghosts (vtkBCCLattice::MarkPiece, and MarkWholeRange for colours) shows
+ * its own part as it is in a picture of the whole: rays are sampled at the same places, and each
+ * sample belongs to one piece. So pictures of all pieces, blended front to back, are the whole's
+ * but for the rounding of colours, and so are surfaces without a seam; sample distances are not
+ * adjusted to the time at hand. Maximum, minimum, average and additive blending of a part are that
+ * part's, and do not become the whole's by such blending. A piece with fewer ghosts than
+ * GetNumberOfGhostLevels() along an axis that is cut, or of which a prefilter needs the whole
+ * (Interpolation but for BCC4, Projection), is an error; an empty one shows nothing.
+ *
  * Several inputs at once (vtkMultiVolume), partitions and the depth pass of
  * vtkGPUVolumeRayCastMapper, which know Cartesian grids only, are refused in the same way.
  *
@@ -53,6 +62,7 @@
 class vtkBCCProgressiveFrame;
 class vtkImageData;
 class vtkShaderProperty;
+struct vtkBCCVolumeFrame;
 
 class VTKBRAVAIS_EXPORT vtkBCCVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
@@ -219,13 +229,21 @@ public:
   ///@}
 
   /**
+   * How many layers of samples a piece of a volume of this spacing needs beyond its own part, where
+   * the volume goes on, with the kernel, prefilter, gradients and sample distance as they are, for
+   * every blend mode: the most of all axes. For BCC7 with QuasiInterpolation it is 6. A volume that
+   * is scaled has larger sample distances, by up to `scale`, where they are adjusted automatically.
+   */
+  int GetNumberOfGhostLevels(const double spacing[3], double scale = 1.0);
+
+  /**
    * The time at which the coefficients in use were computed, 0 before the first rendering.
    */
   vtkMTimeType GetCoefficientTime() const;
 
   using Superclass::GetBounds;
   /**
-   * The volume's box, in the volume's own system.
+   * The volume's box, in the volume's own system; of a piece that of its own part.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
 
@@ -253,6 +271,12 @@ private:
   bool Prepare(vtkRenderer* renderer, vtkVolume* volume, std::string& why);
   void ReportOnce(const std::string& why);
   bool CheckPatterns(std::string& why) const;
+  void FindReach(
+    const double latticePerUnit[3], double distance, bool surfaces, int reach[3]) const;
+  float FindSampleDistance(const vtkBCCVolumeFrame& frame, vtkVolume* volume);
+  bool CheckPiece(vtkVolume* volume, vtkImageData* image, std::string& why);
+
+  void RenderPiece(vtkRenderer* renderer, vtkVolume* volume);
 
   bool IsShown(vtkRenderer* renderer) const;
   bool IsTracedInPasses(vtkRenderer* renderer, vtkVolume* volume) const;

@@ -71,27 +71,28 @@ void FindTexture(vtkImageData* mask, vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCVolumeMask::IsLattice(vtkImageData* mask, const vtkBCCVolumeFrame& volume)
+bool vtkBCCVolumeMask::IsLattice(vtkImageData* mask, const vtkBCCVolumeFrame& held)
 {
-  return HasCountsOf(mask, volume) ||
+  return HasCountsOf(mask, held) ||
     (vtkBCCLattice::IsBCC(mask) && mask->GetPointData()->GetScalars());
 }
 
 //------------------------------------------------------------------------------
 void vtkBCCVolumeMask::SetUniforms(vtkShaderProgram* program, vtkImageData* mask,
-  const vtkBCCVolumeFrame& volume, vtkImageData* standIn)
+  const vtkBCCVolumeFrame& volume, const vtkBCCVolumeFrame& held, vtkImageData* standIn)
 {
   vtkNew<vtkMatrix4x4> matrix;
-  if (IsLattice(mask, volume))
+  if (IsLattice(mask, held))
   {
     const bool tagged = vtkBCCLattice::IsBCC(mask);
-    const vtkBCCVolumeFrame frame = tagged ? vtkBCCVolumeFrame(mask) : volume;
+    const vtkBCCVolumeFrame frame = tagged ? vtkBCCVolumeFrame(mask) : held;
     double factors[3];
     double offsets[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      factors[axis] = tagged ? (axis == 2 ? 1.0 : 2.0) : frame.High[axis] - frame.Low[axis];
-      offsets[axis] = frame.Low[axis] - (tagged ? factors[axis] * frame.Extent[2 * axis] : 0.0);
+      factors[axis] = tagged ? (axis == 2 ? 1.0 : 2.0) : volume.High[axis] - volume.Low[axis];
+      offsets[axis] =
+        tagged ? frame.Low[axis] - factors[axis] * frame.Extent[2 * axis] : volume.Low[axis];
     }
     if (tagged)
     {

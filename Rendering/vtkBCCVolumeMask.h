@@ -21,11 +21,12 @@ struct vtkBCCVolumeFrame;
 struct vtkBCCVolumeMask
 {
   /// Whether a mask has its labels on lattice points, those of a volume or its own.
-  static bool IsLattice(vtkImageData* mask, const vtkBCCVolumeFrame& volume);
+  static bool IsLattice(vtkImageData* mask, const vtkBCCVolumeFrame& held);
 
-  /// Sets what bccMask.glsl needs. The stand-in has the volume's box.
+  /// Sets what bccMask.glsl needs. The stand-in has the volume's box; `held` are the samples of it
+  /// that there are, in its lattice coordinates: all, or a piece's.
   static void SetUniforms(vtkShaderProgram* program, vtkImageData* mask,
-    const vtkBCCVolumeFrame& volume, vtkImageData* standIn);
+    const vtkBCCVolumeFrame& volume, const vtkBCCVolumeFrame& held, vtkImageData* standIn);
 };
 
 #endif

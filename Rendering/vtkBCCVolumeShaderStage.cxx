@@ -73,7 +73,7 @@ bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
   {
     return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter,
       o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.SkipRule, o.HalfFloats, o.Buffer,
-      o.PixelRays, o.Progressive, o.Components);
+      o.PixelRays, o.Progressive, o.Components, o.Piece);
   };
   return tie(*this) == tie(other);
 }
@@ -193,6 +193,10 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
       (blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::SLICE_BLEND ||
         blend == vtkVolumeMapper::ISOSURFACE_BLEND),
     "BCC_SHARED_GRADIENTS");
+  add(this->Current.Piece, "BCC_PIECE");
+  const bool slice = blend == vtkVolumeMapper::SLICE_BLEND;
+  add(slice, "BCC_SLICE");
+  add(blend == vtkVolumeMapper::ISOSURFACE_BLEND, "BCC_ISOSURFACE");
   const vtkBCCBrickTexture::Rule rule = this->Current.SkipRule;
   const bool skip = rule != vtkBCCBrickTexture::Nothing;
   add(skip && rule != vtkBCCBrickTexture::Maximum && rule != vtkBCCBrickTexture::Minimum,
@@ -212,7 +216,8 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
 
   const std::string declarations = Text::GetSpline(this->Current.Kernel, this->Current.Components,
                                      this->Current.Buffer ? "" : "in_volume[0]") +
-    Text::GetRayCast(macros) + (skip ? Text::GetSkipping() : std::string());
+    Text::GetRayCast(macros) + (this->Current.Piece ? Text::GetPiece() : std::string()) +
+    (skip ? Text::GetSkipping() : std::string());
   if (mapper->GetMaskInput())
   {
     after("//VTK::BinaryMask::Dec", Text::GetMask(this->Current.LatticeMask));
@@ -231,7 +236,13 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
   }
   else
   {
-    after("//VTK::Shading::Init", "  BCCStartRay();");
+    after("//VTK::Shading::Init",
+      "  BCCStartRay();\n" + (this->Current.Piece ? Text::GetPieceInit() : std::string()));
+    // The later one comes first.
+    if (this->Current.Piece)
+    {
+      after("//VTK::Base::Impl", Text::GetPieceImplementation());
+    }
     if (skip)
     {
       after("//VTK::Base::Impl", Text::GetSkippingImplementation());
@@ -333,6 +344,35 @@ bool vtkBCCVolumeShaderStage::FillTexture(vtkVolumeTexture* texture)
 }
 
 //------------------------------------------------------------------------------
+void vtkBCCVolumeShaderStage::SetPieceUniforms(vtkShaderProgram* program)
+{
+  const vtkBCCVolumePiece& piece = *this->Input->Piece;
+  int texel[3];
+  float origin[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    texel[axis] = vtkBCCCoefficientTexels::Halo - piece.Base[axis] / 2;
+    origin[axis] = static_cast<float>(piece.Base[axis]);
+  }
+  program->SetUniform1iv("in_bccOriginTexel", 3, texel);
+  if (program->IsUniformUsed("in_bccBrickOrigin"))
+  {
+    program->SetUniform3f("in_bccBrickOrigin", origin);
+  }
+  if (program->IsUniformUsed("in_bccHeldLow"))
+  {
+    const vtkBCCVolumeFrame held = this->Input->GetHeldFrame();
+    program->SetUniform3f("in_bccHeldLow", held.Low);
+    program->SetUniform3f("in_bccHeldHigh", held.High);
+  }
+  if (this->Current.Piece)
+  {
+    program->SetUniform3f("in_bccPieceLow", piece.Low);
+    program->SetUniform3f("in_bccPieceHigh", piece.High);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   vtkAbstractMapper* abstractMapper, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
@@ -343,11 +383,13 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
     return false;
   }
   // VTK divides by one cell less than there are.
+  const vtkBCCVolumeFrame& frame = *this->Input->Frame;
   auto* block = texture->GetCurrentBlock();
   for (int axis = 0; axis < 3; ++axis)
   {
-    block->CellStep[axis] =
-      1.0f / static_cast<float>(block->Extents[2 * axis + 1] - block->Extents[2 * axis] + 1);
+    const int points = frame.Extent[2 * axis + 1] - frame.Extent[2 * axis] + 1;
+    block->CellStep[axis] = 1.0f / static_cast<float>(axis == 2 ? points - 1 : points);
+    texture->CellSpacing[axis] = static_cast<float>(frame.Spacing[axis]);
   }
   int viewport[4];
   vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow())
@@ -361,7 +403,6 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   {
     this->Target->StartTracing(program, rays.GetBounds());
   }
-  const vtkBCCVolumeFrame& frame = *this->Input->Frame;
   program->SetUniform3f("in_bccLow", frame.Low);
   program->SetUniform3f("in_bccHigh", frame.High);
   program->SetUniformi("in_bccCosetDepth", this->Input->Texels.Size.z / 2);
@@ -369,6 +410,7 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   {
     this->Coefficients.Activate(program, this->Input->Texels);
   }
+  this->SetPieceUniforms(program);
   if (program->IsUniformUsed("in_bccToGradient"))
   {
     float toGradient[9];
@@ -386,7 +428,7 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   if (program->IsUniformUsed("in_bccMaskMatrix"))
   {
     vtkBCCVolumeMask::SetUniforms(program, mapper->GetMaskInput(), frame,
-      vtkImageData::SafeDownCast(mapper->GetTransformedInput(0)));
+      this->Input->GetHeldFrame(), vtkImageData::SafeDownCast(mapper->GetTransformedInput(0)));
   }
   if (program->IsUniformUsed("in_bccDepthOpacity"))
   {

@@ -51,6 +51,7 @@ public:
     vtkBCCBrickTexture::Rule SkipRule = vtkBCCBrickTexture::Nothing;
     bool PixelRays = true; // if not, as VTK interpolates them
     bool Progressive = false;
+    bool Piece = false; // of a volume
     // Of these VTK takes no notice by itself:
     int LightComplexity = 0;
     int Mask = -1; // its type, or -1
@@ -101,6 +102,7 @@ private:
   void operator=(const vtkBCCVolumeShaderStage&) = delete;
 
   bool FillTexture(vtkVolumeTexture* texture);
+  void SetPieceUniforms(vtkShaderProgram* program);
 
   Options Current;
   vtkRenderer* Renderer = nullptr;

@@ -19,6 +19,9 @@
 #include "bccMask_glsl.h"
 #include "bccNearest_glsl.h"
 #include "bccPicking_glsl.h"
+#include "bccPieceEnter_glsl.h"
+#include "bccPieceImpl_glsl.h"
+#include "bccPiece_glsl.h"
 #include "bccPixelRay_glsl.h"
 #include "bccRayCast_glsl.h"
 #include "bccRay_glsl.h"
@@ -88,6 +91,24 @@ std::string vtkBCCVolumeShaderText::GetSkipping()
 std::string vtkBCCVolumeShaderText::GetSkippingImplementation()
 {
   return bccSkipImpl_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetPiece()
+{
+  return bccPiece_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetPieceInit()
+{
+  return bccPieceEnter_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetPieceImplementation()
+{
+  return bccPieceImpl_glsl;
 }
 
 //------------------------------------------------------------------------------

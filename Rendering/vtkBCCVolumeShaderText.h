@@ -50,6 +50,12 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   static std::string GetSkipping();
   static std::string GetSkippingImplementation();
 
+  /// The part of rays that a piece of a volume has, the text that goes to it, and what is before a
+  /// sample. Refined isosurfaces need only the first.
+  static std::string GetPiece();
+  static std::string GetPieceInit();
+  static std::string GetPieceImplementation();
+
   /// FindRoot(), which needs a BCCDifference().
   static std::string GetFindRoot();
 

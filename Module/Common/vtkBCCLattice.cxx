@@ -7,11 +7,18 @@
 #include "LatticeTag.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkBCCLattice);
 
@@ -24,6 +31,35 @@ bool CheckImage(vtkImageData* image, const char* helper)
     vtkErrorWithObjectMacro(nullptr, "vtkBCCLattice::" << helper << " expects an image, not none.");
   }
   return image != nullptr;
+}
+
+// The marks of a piece.
+const char* const WholeName = "BCC.WholeExtent";
+const char* const PieceName = "BCC.PieceExtent";
+
+std::string GetRangeName(const char* array)
+{
+  return std::string("BCC.WholeRange.") + (array ? array : "");
+}
+
+void MarkExtent(vtkImageData* image, const char* name, const int extent[6])
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(6);
+  std::copy_n(extent, 6, array->GetPointer(0));
+  image->GetFieldData()->AddArray(array);
+}
+
+bool FindExtent(vtkImageData* image, const char* name, int extent[6])
+{
+  auto* array = vtkIntArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(name));
+  if (!array || array->GetNumberOfValues() != 6)
+  {
+    return false;
+  }
+  std::copy_n(array->GetPointer(0), 6, extent);
+  return true;
 }
 }
 
@@ -61,15 +97,23 @@ void vtkBCCLattice::GetBox(vtkImageData* image, double bounds[6])
   {
     return;
   }
-  const int* extent = image->GetExtent();
+  int whole[6];
+  int extent[6];
+  if (!GetPiece(image, whole, extent))
+  {
+    image->GetExtent(extent);
+    std::copy_n(extent, 6, whole);
+  }
   vtkBoundingBox box;
   if (extent[0] <= extent[1] && extent[2] <= extent[3] && extent[4] <= extent[5])
   {
+    const double far[2] = { extent[1] + (extent[1] == whole[1] ? 0.5 : 0.0),
+      extent[3] + (extent[3] == whole[3] ? 0.5 : 0.0) };
     for (int corner = 0; corner < 8; ++corner)
     {
       double x[3];
-      image->TransformContinuousIndexToPhysicalPoint(corner & 1 ? extent[1] + 0.5 : extent[0],
-        corner & 2 ? extent[3] + 0.5 : extent[2], corner & 4 ? extent[5] : extent[4], x);
+      image->TransformContinuousIndexToPhysicalPoint(corner & 1 ? far[0] : extent[0],
+        corner & 2 ? far[1] : extent[2], corner & 4 ? extent[5] : extent[4], x);
       box.AddPoint(x);
     }
     box.GetBounds(bounds);
@@ -78,6 +122,67 @@ void vtkBCCLattice::GetBox(vtkImageData* image, double bounds[6])
   {
     vtkMath::UninitializeBounds(bounds);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCLattice::MarkPiece(vtkImageData* image, const int whole[6], const int piece[6])
+{
+  if (CheckImage(image, "MarkPiece"))
+  {
+    MarkExtent(image, WholeName, whole);
+    MarkExtent(image, PieceName, piece);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCLattice::GetPiece(vtkImageData* image, int whole[6], int piece[6])
+{
+  return CheckImage(image, "GetPiece") && FindExtent(image, WholeName, whole) &&
+    FindExtent(image, PieceName, piece);
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCLattice::MarkWholeRange(
+  vtkImageData* image, const char* name, int component, const double range[2])
+{
+  if (!CheckImage(image, "MarkWholeRange") || component < 0)
+  {
+    return;
+  }
+  vtkFieldData* fields = image->GetFieldData();
+  const std::string key = GetRangeName(name);
+  vtkSmartPointer<vtkDoubleArray> ranges =
+    vtkDoubleArray::SafeDownCast(fields->GetAbstractArray(key.c_str()));
+  if (!ranges)
+  {
+    ranges = vtkSmartPointer<vtkDoubleArray>::New();
+    ranges->SetName(key.c_str());
+    ranges->SetNumberOfComponents(2);
+    fields->AddArray(ranges);
+  }
+  while (ranges->GetNumberOfTuples() <= component)
+  {
+    ranges->InsertNextTuple2(0.0, -1.0); // none
+  }
+  ranges->SetTuple(component, range);
+  ranges->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCLattice::GetWholeRange(
+  vtkImageData* image, const char* name, int component, double range[2])
+{
+  auto* ranges = CheckImage(image, "GetWholeRange")
+    ? vtkDoubleArray::SafeDownCast(
+        image->GetFieldData()->GetAbstractArray(GetRangeName(name).c_str()))
+    : nullptr;
+  if (!ranges || ranges->GetNumberOfComponents() != 2 || component < 0 ||
+    component >= ranges->GetNumberOfTuples())
+  {
+    return false;
+  }
+  ranges->GetTuple(component, range);
+  return range[0] <= range[1];
 }
 
 //------------------------------------------------------------------------------

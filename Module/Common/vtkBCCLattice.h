@@ -72,9 +72,35 @@ public:
    * The volume's box (xmin, xmax, ymin, ymax, zmin, zmax) in the world: along x from the first
    * point of the even layers to the last of the odd ones, n - 1/2 spacings for n points, along y
    * likewise, and along z from the first layer to the last. vtkImageData's own bounds are half a
-   * spacing short. An empty image has the bounds of vtkMath::UninitializeBounds.
+   * spacing short. An empty image has the bounds of vtkMath::UninitializeBounds. Of a marked piece
+   * (MarkPiece) it is the part that is the piece's own.
    */
   static void GetBox(vtkImageData* image, double bounds[6]);
+
+  ///@{
+  /**
+   * Marks an image as a piece of a volume of the whole extent, with ghosts: of what the image
+   * holds, the box of the extent `piece` is its own. As pieces of VTK's pipeline do, neighbours
+   * share a layer of points, the last of the one, which is the first of the other; what is on it
+   * belongs to the latter. Along z the box goes from the first layer to the last, along x from the
+   * even points of the first index to those of the last, or to the odd ones where the whole ends.
+   * An empty `piece` owns nothing. The marks are integer arrays in the field data,
+   * BCC.WholeExtent and BCC.PieceExtent. GetPiece returns whether there are such.
+   */
+  static void MarkPiece(vtkImageData* image, const int whole[6], const int piece[6]);
+  static bool GetPiece(vtkImageData* image, int whole[6], int piece[6]);
+  ///@}
+
+  ///@{
+  /**
+   * Notes the range that a component of an array of that name has in the whole volume, of which a
+   * piece may have less: colours are looked up over it. An array of ranges, BCC.WholeRange.<name>,
+   * in the field data. GetWholeRange returns whether there is such.
+   */
+  static void MarkWholeRange(
+    vtkImageData* image, const char* name, int component, const double range[2]);
+  static bool GetWholeRange(vtkImageData* image, const char* name, int component, double range[2]);
+  ///@}
 
   /**
    * The kernel (BCC4, BCC7, BCC8 or BCC12) centred at 0, at a point in lattice coordinates, scaled

@@ -46,13 +46,14 @@ vec4 ToTexture(vec4 pairs, float base, float size)
   return vec4(pairs.xy, (pairs.zw + base) / size);
 }
 
-// Adds the part of one coset; q is in texels of the volume's texture.
-void AddCubicCoset(vec3 q, inout BCC_VALUE value, inout BCC_VALUE gx, inout BCC_VALUE gy,
+// Adds the part of one coset; q is in texels from the one at origin.
+void AddCubicCoset(vec3 q, ivec3 origin, inout BCC_VALUE value, inout BCC_VALUE gx, inout BCC_VALUE gy,
   inout BCC_VALUE gz)
 {
   vec3 size = vec3(textureSize(BCC_VOLUME, 0));
   vec3 low = floor(q);
   vec3 t = q - low;
+  low += vec3(origin);
   vec4 x = ToTexture(CubicPairs(CubicWeights(t.x)), low.x, size.x);
   vec4 y = ToTexture(CubicPairs(CubicWeights(t.y)), low.y, size.y);
   vec4 z = ToTexture(CubicPairs(CubicWeights(t.z)), low.z, size.z);
@@ -67,9 +68,8 @@ BCC_VALUE EvaluateBoxSpline(vec3 p, out BCC_VALUE gx, out BCC_VALUE gy, out BCC_
 {
   BCC_VALUE value = BCC_VALUE(0.0);
   gx = gy = gz = BCC_VALUE(0.0);
-  AddCubicCoset(0.5 * p + float(BCCHalo), value, gx, gy, gz);
-  AddCubicCoset(0.5 * (p - 1.0) + float(BCCHalo) + vec3(0.0, 0.0, float(in_bccCosetDepth)), value,
-    gx, gy, gz);
+  AddCubicCoset(0.5 * p, BCCEvenOrigin(), value, gx, gy, gz);
+  AddCubicCoset(0.5 * (p - 1.0), BCCOddOrigin(), value, gx, gy, gz);
   gx *= 0.25;
   gy *= 0.25;
   gz *= 0.25;

@@ -54,12 +54,15 @@ float BCCDifference(float s)
   return BCCIsoScalar(l_bccPosition + s * l_bccStep) - l_bccIsoValue;
 }
 
-// Whether cropping and a binary mask leave a point.
+// Whether cropping and a binary mask leave a point, and a piece has it.
 bool BCCIsVisible(vec3 texturePosition)
 {
   bool visible = true;
+#ifdef BCC_PIECE
+  visible = BCCIsOwned(texturePosition);
+#endif
 #ifdef BCC_CROPPING
-  visible = in_croppingFlags[computeRegion(croppingPlanesTexture, texturePosition)] != 0;
+  visible = visible && in_croppingFlags[computeRegion(croppingPlanesTexture, texturePosition)] != 0;
 #endif
 #ifdef BCC_BINARY_MASK
   visible = visible && BCCMask(texturePosition).r > 0.0;

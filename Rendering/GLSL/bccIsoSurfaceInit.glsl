@@ -21,6 +21,18 @@
     l_bccFirst = true;
     l_bccWithin = true;
     BCCStartRay();
-    BCCAdvanceTo(0.0);
+    float first = 0.0;
+#ifdef BCC_PIECE
+    // Two samples before the part and two after it, which tell of surfaces at its borders.
+    vec2 part = BCCFindPart();
+    if (part.x > part.y + 0.01 || part.x > l_bccSteps + 0.01)
+    {
+      discard;
+    }
+    first = max(floor(part.x - 0.01) - 1.0, 0.0);
+    l_bccSteps = min(l_bccSteps, floor(part.y + 0.01) + 2.0);
+#endif
+    BCCAdvance(first);
+    BCCAdvanceTo(first);
     l_bccWithin = false;
   }

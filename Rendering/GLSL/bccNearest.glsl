@@ -12,5 +12,5 @@ ivec3 BCCNearest(vec3 p, vec3 low, vec3 high, vec3 perUnit)
   vec3 odd = clamp(2.0 * floor(0.5 * p) + 1.0, low + 1.0 - oddLow, high - 1.0 + oddHigh);
   bool first = length((p - even) / perUnit) <= length((p - odd) / perUnit);
   ivec3 point = ivec3(first ? even : odd);
-  return ivec3(point.xy >> 1, point.z - int(low.z));
+  return ivec3((point.xy - ivec2(low.xy)) >> 1, point.z - int(low.z));
 }

@@ -5,15 +5,17 @@
 // of a cell's.
 
 uniform vec3 in_bccLatticePerUnit; // derivatives of lattice coordinates
+uniform vec3 in_bccHeldLow;        // the box of the samples, all of the volume's or a piece's
+uniform vec3 in_bccHeldHigh;
 
 uvec3 BCCPickedCounts()
 {
-  vec3 size = in_bccHigh - in_bccLow + 1.0;
+  vec3 size = in_bccHeldHigh - in_bccHeldLow + 1.0;
   return uvec3(0.5 * size.xy, size.z);
 }
 
 uvec3 BCCPicked(vec3 texturePosition)
 {
   return uvec3(
-    BCCNearest(BCCPosition(texturePosition), in_bccLow, in_bccHigh, in_bccLatticePerUnit));
+    BCCNearest(BCCPosition(texturePosition), in_bccHeldLow, in_bccHeldHigh, in_bccLatticePerUnit));
 }

@@ -6,6 +6,7 @@
 // BCC_SKIP_MAXIMUM or BCC_SKIP_MINIMUM, bounds of the scalars there.
 
 uniform sampler3D in_bccBricks;
+uniform vec3 in_bccBrickOrigin; // of the first brick, in lattice coordinates
 
 const float BCCBrickEdge = 5.0; // BCCBricks::Edge
 bool g_bccLeft; // whether a leap went beyond the last sample
@@ -31,7 +32,7 @@ float BCCCountEmptyBricks(ivec3 brick)
 // Somewhat before the far faces the bricks count as left, so that rounding does no harm.
 float BCCCountEmptySamples()
 {
-  vec3 q = BCCPosition(g_dataPos) / BCCBrickEdge;
+  vec3 q = (BCCPosition(g_dataPos) - in_bccBrickOrigin) / BCCBrickEdge;
   ivec3 brick = clamp(ivec3(q), ivec3(0), textureSize(in_bccBricks, 0) - 1);
   float count = BCCCountEmptyBricks(brick);
   vec3 rate = (in_bccHigh - in_bccLow) / BCCBrickEdge * g_dirStep;

@@ -8,8 +8,7 @@
 uniform vec3 in_bccLow; // the volume's box in lattice coordinates
 uniform vec3 in_bccHigh;
 uniform int in_bccCosetDepth;      // slices of one coset
-
-const int BCCHalo = 2;
+uniform int in_bccOriginTexel[3];  // of the lattice point 0: the halo, or before a piece's texels
 
 // Lattice coordinates of texture coordinates. They are kept in the box: the halo ends beyond.
 vec3 BCCPosition(vec3 texturePosition)
@@ -41,12 +40,23 @@ BCC_VALUE BCCCoefficient(ivec3 texel)
 }
 #endif
 
+// The texel of the even lattice point 0, and of the odd one that is 1 along each axis.
+ivec3 BCCEvenOrigin()
+{
+  return ivec3(in_bccOriginTexel[0], in_bccOriginTexel[1], in_bccOriginTexel[2]);
+}
+
+ivec3 BCCOddOrigin()
+{
+  return BCCEvenOrigin() + ivec3(0, 0, in_bccCosetDepth);
+}
+
 BCC_TEXEL BCCEvenTexel(ivec3 point)
 {
-  return BCCTexel((point >> 1) + BCCHalo);
+  return BCCTexel((point >> 1) + BCCEvenOrigin());
 }
 
 BCC_TEXEL BCCOddTexel(ivec3 point)
 {
-  return BCCTexel((point >> 1) + ivec3(BCCHalo, BCCHalo, BCCHalo + in_bccCosetDepth));
+  return BCCTexel((point >> 1) + BCCOddOrigin());
 }

@@ -82,6 +82,9 @@ vtkSmartPointer<vtkTextureObject> MakeTexture(vtkOpenGLRenderWindow* window)
   return texture;
 }
 
+constexpr int Origin[3] = { vtkBCCCoefficientTexels::Halo, vtkBCCCoefficientTexels::Halo,
+  vtkBCCCoefficientTexels::Halo };
+
 // What draws one component of the spline at each point: the value (x) and gradient (yzw).
 std::string GetImplementation(int components, int component)
 {
@@ -104,6 +107,7 @@ std::vector<float> DrawFromBuffer(vtkOpenGLRenderWindow* window, bravais::BCCKer
       {
         buffer.Activate(program, texels);
         program->SetUniformi("in_bccCosetDepth", texels.Size.z / 2);
+        program->SetUniform1iv("in_bccOriginTexel", 3, Origin);
       });
   buffer.Deactivate();
   buffer.ReleaseGraphicsResources(window);
@@ -129,6 +133,7 @@ std::vector<float> DrawFromTexture(vtkOpenGLRenderWindow* window, bravais::BCCKe
     {
       program->SetUniformi("coefficients", coefficients->GetTextureUnit());
       program->SetUniformi("in_bccCosetDepth", texels.Size.z / 2);
+      program->SetUniform1iv("in_bccOriginTexel", 3, Origin);
     });
   coefficients->Deactivate();
   coefficients->ReleaseGraphicsResources(window);
