@@ -2,29 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One, two and four processes, by MPI, give the same output of every filter, bit for bit."""
 import glob
-import os
-import pathlib
-import subprocess
 import unittest
 
+import mpi
 import numpy
-
-SCRIPT = pathlib.Path(__file__).with_name("processes.py")
-FOLDER = pathlib.Path(os.environ["BRAVAIS_TEMPORARY"], "Processes")
-
-
-def run(count):
-    """The folder of what that many processes write."""
-    folder = FOLDER / str(count)
-    folder.mkdir(parents=True, exist_ok=True)
-    for path in folder.iterdir():
-        path.unlink()
-    environment = dict(
-        os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1"
-    )
-    command = ["mpirun", "--oversubscribe", "-np", str(count), os.environ["BRAVAIS_PVBATCH"]]
-    subprocess.run(command + ["--symmetric", SCRIPT, folder], env=environment, check=True)
-    return folder
 
 
 def read(path):
@@ -37,7 +18,7 @@ def read(path):
 class TestProcesses(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folders = {count: run(count) for count in (1, 2, 4)}
+        cls.folders = {count: mpi.run("processes.py", count) for count in (1, 2, 4)}
 
     def test_filters(self):
         names = {path.name.split(".")[0] for path in self.folders[1].glob("*.npz")}

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What TestProcesses runs by any number of processes: filters' output, and pictures of volumes.
+"""What TestProcesses runs by any number of processes: filters' output.
 
     mpirun -np 4 pvbatch --symmetric processes.py <folder>
 
-writes <filter>.<process>.npz and <picture>.png into the folder.
+writes <filter>.<process>.npz into the folder.
 """
 import os
 import sys
@@ -18,7 +18,6 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 views.load_plugin()
 folder = sys.argv[1]
 rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
-os.environ["BRAVAIS_TEMPORARY"] = folder
 
 
 def keep(algorithm, name, array=None):
