@@ -39,8 +39,10 @@ set(BRAVAIS_SHADERS
   bcc7Polynomial
   bcc8Polynomial
   bccBoxSpline
+  bccBricks
   bccCubicSpline
   bccDepthWatch
+  bccExtremum
   bccFindRoot
   bccFrame
   bccGrazing
@@ -49,6 +51,7 @@ set(BRAVAIS_SHADERS
   bccIsoSurfaceInit
   bccIsoSurfaceNext
   bccIsoSurfaceTerminate
+  bccLookAhead
   bccMask
   bccNearest
   bccNothing

@@ -131,7 +131,8 @@ std::vector<std::uint8_t> vtkBCCBrickMarks::FindBounds(
   const bravais::BCCBricks& bricks, const std::vector<Scalars>& components, bool upper)
 {
   const std::size_t count = components.size();
-  std::vector<std::uint8_t> bytes(GetCount(bricks) * count);
+  const std::size_t channels = count == 3 ? 4 : count;
+  std::vector<std::uint8_t> bytes(GetCount(bricks) * channels);
   vtkSMPTools::For(0, static_cast<vtkIdType>(GetCount(bricks)),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -142,7 +143,7 @@ std::vector<std::uint8_t> vtkBCCBrickMarks::FindBounds(
           const Bounds bounds(bricks, brick, components[n].Component);
           const double scalar = ToScalar(upper ? bounds.High : bounds.Low, components[n]) * 255.0;
           const double byte = upper ? std::ceil(scalar + 1e-3) : std::floor(scalar - 1e-3);
-          bytes[brick * count + n] = static_cast<std::uint8_t>(std::clamp(byte, 0.0, 255.0));
+          bytes[brick * channels + n] = static_cast<std::uint8_t>(std::clamp(byte, 0.0, 255.0));
         }
       }
     });

@@ -44,7 +44,8 @@ struct vtkBCCBrickMarks
     const bravais::BCCBricks& bricks, const std::vector<double>& values);
 
   /// Upper bounds of the scalars, or lower ones, in units of 1/255: 0 and 255 stand for all scalars
-  /// below 0 and above 1 as well. As many components as the bricks have.
+  /// below 0 and above 1 as well. As many components as the bricks have, and one more where these
+  /// are three, of which there are no buffers.
   static std::vector<std::uint8_t> FindBounds(
     const bravais::BCCBricks& bricks, const std::vector<Scalars>& components, bool upper);
 };

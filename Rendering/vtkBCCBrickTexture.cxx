@@ -7,6 +7,7 @@
 
 #include "vtkContourValues.h"
 #include "vtkImageData.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVolumeOpacityTable.h"
@@ -149,10 +150,13 @@ bool vtkBCCBrickTexture::Fill(vtkOpenGLGPUVolumeRayCastMapper* mapper, vtkVolume
     bytes = vtkBCCBrickMarks::FindBounds(bricks, components, rule == Maximum);
   }
   const glm::ivec3& size = bricks.GetSize();
+  const auto count = static_cast<unsigned int>(size.x * size.y * size.z);
+  const auto type = vtkOpenGLBufferObject::TextureBuffer;
   this->Size = static_cast<vtkIdType>(bytes.size());
-  const int channels = static_cast<int>(bytes.size()) / (size.x * size.y * size.z);
-  return this->Texture->Create3DFromRaw(
-    size.x, size.y, size.z, channels, VTK_UNSIGNED_CHAR, bytes.data());
+  this->Buffer->SetType(type);
+  return this->Buffer->Upload(bytes, type) &&
+    this->Texture->CreateTextureBuffer(
+      count, static_cast<int>(bytes.size() / count), VTK_UNSIGNED_CHAR, this->Buffer);
 }
 
 //------------------------------------------------------------------------------
@@ -181,6 +185,12 @@ bool vtkBCCBrickTexture::Activate(vtkShaderProgram* program,
   }
   this->Texture->Activate();
   program->SetUniformi("in_bccBricks", this->Texture->GetTextureUnit());
+  const glm::ivec3& size = bricks.GetSize();
+  const int pitch[2] = { size.x, size.x * size.y };
+  const float last[3] = { static_cast<float>(size.x - 1), static_cast<float>(size.y - 1),
+    static_cast<float>(size.z - 1) };
+  program->SetUniform2i("in_bccBrickPitch", pitch);
+  program->SetUniform3f("in_bccLastBrick", last);
   return true;
 }
 
@@ -197,4 +207,5 @@ void vtkBCCBrickTexture::Deactivate()
 void vtkBCCBrickTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->Buffer->ReleaseGraphicsResources();
 }

@@ -4,7 +4,7 @@
  * @class   vtkBCCBrickTexture
  * @brief   what vtkBCCVolumeMapper's shader knows of empty space
  *
- * A texture of bytes, one for each brick of the volume (vtkBCCBrickMarks), made anew when the
+ * A buffer of bytes, one for each brick of the volume (vtkBCCBrickMarks), made anew when the
  * coefficients, what is seen of them, or the window change.
  */
 
@@ -23,6 +23,7 @@ class BCCBricks;
 }
 
 class vtkGPUVolumeRayCastMapper;
+class vtkOpenGLBufferObject;
 class vtkOpenGLGPUVolumeRayCastMapper;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -50,8 +51,9 @@ public:
   static Rule FindRule(
     vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property, int components, bool refined);
 
-  /// Sets the program's sampler in_bccBricks, after VTK has made the volume's texture and tables
-  /// ready. `time` is that of the bricks; values are multiplied by the normalizer.
+  /// Sets the program's sampler in_bccBricks and how many there are, after VTK has made the
+  /// volume's texture and tables ready. `time` is that of the bricks; values are multiplied by the
+  /// normalizer.
   bool Activate(vtkShaderProgram* program, vtkOpenGLGPUVolumeRayCastMapper* mapper,
     vtkVolumeProperty* property, vtkOpenGLRenderWindow* window, Rule rule,
     const bravais::BCCBricks& bricks, vtkMTimeType time, float normalizer);
@@ -66,6 +68,7 @@ private:
   bool Fill(vtkOpenGLGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property, Rule rule,
     const bravais::BCCBricks& bricks, float normalizer);
 
+  vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
   vtkIdType Size = 0;
   std::tuple<Rule, vtkMTimeType, vtkMTimeType, vtkMTimeType, float, std::vector<float>> Filled;

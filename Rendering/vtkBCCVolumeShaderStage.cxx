@@ -18,6 +18,7 @@
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -199,9 +200,9 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
   add(blend == vtkVolumeMapper::ISOSURFACE_BLEND, "BCC_ISOSURFACE");
   const vtkBCCBrickTexture::Rule rule = this->Current.SkipRule;
   const bool skip = rule != vtkBCCBrickTexture::Nothing;
-  add(skip && rule != vtkBCCBrickTexture::Maximum && rule != vtkBCCBrickTexture::Minimum,
-    "BCC_SKIP_DISTANCE");
-  add(rule == vtkBCCBrickTexture::Maximum, "BCC_SKIP_MAXIMUM");
+  const bool extremum = rule == vtkBCCBrickTexture::Maximum || rule == vtkBCCBrickTexture::Minimum;
+  add(skip && !extremum, "BCC_SKIP_DISTANCE");
+  add(extremum, "BCC_SKIP_EXTREMUM");
   add(rule == vtkBCCBrickTexture::Minimum, "BCC_SKIP_MINIMUM");
 
   if (this->Current.PixelRays)
@@ -217,7 +218,7 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
   const std::string declarations = Text::GetSpline(this->Current.Kernel, this->Current.Components,
                                      this->Current.Buffer ? "" : "in_volume[0]") +
     Text::GetRayCast(macros) + (this->Current.Piece ? Text::GetPiece() : std::string()) +
-    (skip ? Text::GetSkipping() : std::string());
+    (skip ? Text::GetSkipping(extremum) : std::string());
   if (mapper->GetMaskInput())
   {
     after("//VTK::BinaryMask::Dec", Text::GetMask(this->Current.LatticeMask));
@@ -236,8 +237,14 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
   }
   else
   {
+    // All samples count where nothing cuts the volume.
+    const bool ahead = extremum && !this->Current.Piece && !mapper->GetMaskInput() &&
+      !mapper->GetCropping() &&
+      !(mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
     after("//VTK::Shading::Init",
-      "  BCCStartRay();\n" + (this->Current.Piece ? Text::GetPieceInit() : std::string()));
+      std::string("  BCCStartRay();\n") + (skip ? "  BCCStartSkipping();\n" : "") +
+        (this->Current.Piece ? Text::GetPieceInit() : std::string()) +
+        (ahead ? "  BCCLookAhead();\n" : ""));
     // The later one comes first.
     if (this->Current.Piece)
     {

@@ -7,7 +7,9 @@
 #include "bcc7Polynomial_glsl.h"
 #include "bcc8Polynomial_glsl.h"
 #include "bccBoxSpline_glsl.h"
+#include "bccBricks_glsl.h"
 #include "bccCubicSpline_glsl.h"
+#include "bccExtremum_glsl.h"
 #include "bccFindRoot_glsl.h"
 #include "bccFrame_glsl.h"
 #include "bccGrazing_glsl.h"
@@ -16,6 +18,7 @@
 #include "bccIsoSurfaceInit_glsl.h"
 #include "bccIsoSurfaceNext_glsl.h"
 #include "bccIsoSurfaceTerminate_glsl.h"
+#include "bccLookAhead_glsl.h"
 #include "bccMask_glsl.h"
 #include "bccNearest_glsl.h"
 #include "bccPicking_glsl.h"
@@ -82,9 +85,11 @@ std::string vtkBCCVolumeShaderText::GetRayCast(const std::vector<std::string>& m
 }
 
 //------------------------------------------------------------------------------
-std::string vtkBCCVolumeShaderText::GetSkipping()
+std::string vtkBCCVolumeShaderText::GetSkipping(bool extremum)
 {
-  return bccSkip_glsl;
+  return extremum
+    ? std::string(bccBricks_glsl) + bccExtremum_glsl + bccSkip_glsl + bccLookAhead_glsl
+    : std::string(bccBricks_glsl) + bccSkip_glsl;
 }
 
 //------------------------------------------------------------------------------

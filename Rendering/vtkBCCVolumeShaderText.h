@@ -46,8 +46,9 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   /// Indices of picked samples, after GetMask if there is one.
   static std::string GetPicking(bool latticeMask);
 
-  /// Leaps over empty bricks, and the text that makes them before a sample.
-  static std::string GetSkipping();
+  /// Leaps over empty bricks, which for an extremum are those that do not get as far, and the text
+  /// that makes them before a sample.
+  static std::string GetSkipping(bool extremum);
   static std::string GetSkippingImplementation();
 
   /// The part of rays that a piece of a volume has, the text that goes to it, and what is before a

@@ -41,8 +41,10 @@ struct BCCTexels
  *
  * Brick (a, b, c) is the part of the box that lies in Edge (a, b, c) .. Edge (a + 1, b + 1, c + 1),
  * in lattice coordinates. The kernels are not negative and their shifts sum to 1, so in a brick the
- * spline lies between the least and the largest coefficient whose kernel reaches into it. Where one
- * of these is not finite, the bounds are -infinity and infinity.
+ * spline is a mean of the coefficients whose kernels reach into it, between the least and the
+ * largest. Those far from the brick have little weight: the bounds are the extrema of the near ones
+ * and, by that weight, as much nearer to the extrema of all. Where one of these is not finite, the
+ * bounds are -infinity and infinity.
  */
 class BCCBricks
 {
@@ -65,9 +67,15 @@ public:
   /// How far a kernel reaches along each axis, in lattice coordinates: at that distance it is 0.
   static int GetReach(BCCKernel kernel);
 
+  /// Coefficients less than this away from a brick along every axis are near it; and the largest
+  /// weight that all others together have there.
+  static int GetNearReach(BCCKernel kernel);
+  static float GetFarWeight(BCCKernel kernel);
+
 private:
   struct Row;
-  void ReduceRow(const Row& even, const Row& odd, int reach, std::size_t brick);
+  struct Rows;
+  void ReduceRow(const Rows& rows, BCCKernel kernel, std::size_t brick);
 
   glm::ivec3 Last;
   int FirstLayer;

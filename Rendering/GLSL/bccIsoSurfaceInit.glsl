@@ -21,6 +21,9 @@
     l_bccFirst = true;
     l_bccWithin = true;
     BCCStartRay();
+#ifdef BCC_SKIP_DISTANCE
+    BCCStartSkipping();
+#endif
     float first = 0.0;
 #ifdef BCC_PIECE
     // Two samples before the part and two after it, which tell of surfaces at its borders.

@@ -128,22 +128,64 @@ TEST(TestBCCBricks, BoundsAreThoseOfTheCoefficientsThatReachIn)
         const glm::ivec3 high = glm::min(BCCBricks::Edge * (b + 1), volume.Last);
         for (int c = 0; c < 2; ++c)
         {
-          float least = 2.0f;
-          float most = -2.0f;
+          const int nearReach = BCCBricks::GetNearReach(kernel);
+          float least[2] = { 2.0f, 2.0f }; // of the near ones, and of all
+          float most[2] = { -2.0f, -2.0f };
           for (const glm::ivec3& p : MakeLatticePoints(20))
           {
             if (glm::all(glm::greaterThan(p, low - reach)) &&
               glm::all(glm::lessThan(p, high + reach)))
             {
-              least = std::min(least, volume.Get(p, c));
-              most = std::max(most, volume.Get(p, c));
+              const bool near = glm::all(glm::greaterThan(p, low - nearReach)) &&
+                glm::all(glm::lessThan(p, high + nearReach));
+              for (int bound = near ? 0 : 1; bound < 2; ++bound)
+              {
+                least[bound] = std::min(least[bound], volume.Get(p, c));
+                most[bound] = std::max(most[bound], volume.Get(p, c));
+              }
             }
           }
-          ASSERT_EQ(bricks.GetLow()[FindBrick(bricks, b, c)], least);
-          ASSERT_EQ(bricks.GetHigh()[FindBrick(bricks, b, c)], most);
+          const float weight = BCCBricks::GetFarWeight(kernel);
+          ASSERT_EQ(
+            bricks.GetLow()[FindBrick(bricks, b, c)], least[0] + weight * (least[1] - least[0]));
+          ASSERT_EQ(
+            bricks.GetHigh()[FindBrick(bricks, b, c)], most[0] + weight * (most[1] - most[0]));
         }
       }
     }
+  }
+}
+
+TEST(TestBCCBricks, FarCoefficientsHaveLittleWeight)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const auto points = MakeLatticePoints(8);
+  for (const BCCKernel kernel : AllKernels)
+  {
+    const int reach = BCCBricks::GetNearReach(kernel);
+    double most = 0.0;
+    for (int n = 0; n < 400; ++n)
+    {
+      // In a brick that starts at (-1, 0, 1), near its faces, some on them and some on its edges.
+      const glm::ivec3 low(-1, 0, 1);
+      glm::dvec3 p;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double x = n % 2 ? 0.5 * uniform(random) : 0.0;
+        p[axis] = low[axis] + (n / 2 % 4 == axis ? 5.0 * uniform(random) : x);
+      }
+      double weight = 0.0;
+      for (const glm::ivec3& q : points)
+      {
+        const bool near = glm::all(glm::greaterThan(q, low - reach)) &&
+          glm::all(glm::lessThan(q, low + BCCBricks::Edge + reach));
+        weight += near ? 0.0 : EvaluateKernel(kernel, p - glm::dvec3(q));
+      }
+      most = std::max(most, weight);
+    }
+    EXPECT_LE(most, BCCBricks::GetFarWeight(kernel) + 1e-12);
+    EXPECT_GE(most, 0.5 * BCCBricks::GetFarWeight(kernel));
   }
 }
 

@@ -6,7 +6,8 @@ import unittest
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPlane
-from vtkmodules.vtkRenderingCore import vtkVolumeProperty
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkVolumeProperty
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 
 import scenes
@@ -179,8 +180,10 @@ class TestBCCVolumeMapperSkipping(unittest.TestCase):
         self.compare(scene, "2D")
 
     def test_components(self):
-        for count, modes in ((2, ("Composite",)), (3, ("MaximumIntensity",)), (4, ("Composite",))):
-            for independent in (True, False) if count != 3 else (True,):
+        for count, modes in ((2, ("Composite",)), (2, ("MaximumIntensity",)),
+                             (3, ("MaximumIntensity",)), (4, ("Composite",)),
+                             (4, ("MaximumIntensity",))):
+            for independent in (True, False) if modes == ("Composite",) else (True,):
                 image = scenes.make_bcc(lambda x, y, z: numpy.stack(
                     [shell(x - 0.15 * c, y + 0.1 * c, z) * 255 for c in range(count)], axis=3),
                     dtype=numpy.uint8)
@@ -209,6 +212,27 @@ class TestBCCVolumeMapperSkipping(unittest.TestCase):
         piece.ShallowCopy(whole)
         piece.Crop((3, 19, 2, 20, 5, 40))
         self.compare(make_scene("IsoSurface", piece), "piece")
+
+    def test_extrema_behind_surfaces_and_holes(self):
+        # What a ray looks ahead for has to be where the ray gets to.
+        image = scenes.make_bcc(lambda x, y, z: shell(x, y, z) + numpy.exp(-9 * (z + 0.8) ** 2))
+        values = vtk_to_numpy(image.GetPointData().GetScalars())
+        values[20000] = numpy.inf
+        values[14000:14010] = numpy.nan
+        for mode in ("MaximumIntensity", "MinimumIntensity"):
+            scene = make_scene(mode, image, kernel=7, opacities=((0, 0.1), (1, 0.9)))
+            open_picture = self.compare(scene, mode)
+            wall = vtkPlaneSource()
+            wall.SetOrigin(-2, -2, -0.1)
+            wall.SetPoint1(2, -2, -0.1)
+            wall.SetPoint2(-2, 2, -0.1)
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputConnection(wall.GetOutputPort())
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            scene.renderer.AddActor(actor)
+            picture = self.compare(scene, mode + " behind a wall")
+            self.assertGreater(numpy.abs(picture - open_picture).mean(), 2, mode)
 
     def test_bounds_beyond_the_range_of_the_samples(self):
         # What is above the range of the samples looks like its end, so it may be left out too.
