@@ -116,7 +116,8 @@ public:
    * picture is the same, to the bit. Each brick of 5^3 lattice units has the least and the largest
    * coefficient that reaches into it, which bound the spline. From these is known where opacity is
    * 0 (composite and additive blending) or no isovalue is met, and at what distance the next brick
-   * is that matters; maximum and minimum intensity compare them with what the ray has found.
+   * is that matters; maximum and minimum intensity compare them with what the ray has found, or
+   * with what it will find where they promise most.
    * Nothing is left out in average and slice blending, with label maps, or with dependent
    * components but the last one's opacity. On the GPU it takes one byte a brick.
    */

@@ -303,6 +303,10 @@ FrameTime TimeFrames(
     image->Modified();
     draw(time.FirstProcessor, time.FirstClock);
   }
+  auto* ours = vtkBCCVolumeMapper::SafeDownCast(mapper);
+  time.Memory = static_cast<double>(ours
+      ? ours->GetCoefficientMemory() + (choice.Skip ? ours->GetBrickMemory() : 0)
+      : pair.Cartesian->GetNumberOfPoints() * pair.Cartesian->GetScalarSize());
   return time;
 }
 

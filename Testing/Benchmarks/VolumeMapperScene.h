@@ -64,6 +64,7 @@ struct FrameTime
   double Clock = 0.0;
   double FirstProcessor = 0.0; ///< of the first frame after a change of the data
   double FirstClock = 0.0;
+  double Memory = 0.0; ///< bytes of the volume on the GPU, with what is made of it
 };
 
 /// Draws the frames of one mapper: rays advance by half the edge of a cube with one sample in it.
