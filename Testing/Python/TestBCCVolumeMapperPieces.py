@@ -6,7 +6,7 @@ import unittest
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPlane
-from vtkmodules.vtkRenderingCore import vtkVolume
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLHardwareSelector
 
 import pieces
@@ -33,6 +33,14 @@ def make_property(mode, opacity=0.3):
     plane.SetOrigin(0.02, 0.03, 0.01)
     result.SetSliceFunction(plane)
     return result
+
+
+def gray():
+    """The larger, the brighter."""
+    colors = vtkColorTransferFunction()
+    colors.AddRGBPoint(-1, 0.1, 0.1, 0.1)
+    colors.AddRGBPoint(1, 1, 1, 1)
+    return colors
 
 
 class TestBCCVolumeMapperPieces(unittest.TestCase):
@@ -81,6 +89,23 @@ class TestBCCVolumeMapperPieces(unittest.TestCase):
 
     def test_slice(self):
         self.compare("Slice", (2, 1, 2), 0)
+
+    def test_extrema_are_those_of_the_parts(self):
+        """The brightest of the parts' maxima is the whole's, the darkest of the minima likewise."""
+        for mode, choose in ("MaximumIntensity", numpy.max), ("MinimumIntensity", numpy.min):
+            volume_property = scenes.make_property(-1, 1, ((-1, 1), (1, 1)), shade=False)
+            volume_property.SetColor(gray())
+            scene = pieces.make_scene(WHOLE, mode, volume_property)
+            expected = pieces.take(scene)
+            pictures = []
+            for own in pieces.split(WHOLE.GetExtent(), (1, 2, 2)):
+                scene.volume.GetMapper().SetInputData(pieces.cut(WHOLE, own, LEVELS))
+                picture = pieces.take(scene)
+                picture[picture[..., 3] == 0] = numpy.nan if mode == "MaximumIntensity" else 255
+                pictures.append(numpy.nan_to_num(picture))
+            shown = expected[..., 3] > 0
+            self.assertGreater(expected[shown].std(), 10)
+            numpy.testing.assert_array_equal(choose(pictures, axis=0)[shown], expected[shown])
 
     def test_settings(self):
         def crop(scene, mapper):
