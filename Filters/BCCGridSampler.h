@@ -5,13 +5,16 @@
 
 #include "BCCBlock.h"
 #include "BCCKernel.h"
+#include "vtkBravaisABINamespace.h"
 
 #include <cstddef>
 #include <functional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkDataArray;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -7,9 +7,12 @@
 /// Where in a Cartesian image the points of a BCC volume lie: all that vtkImageToBCCVolume's
 /// passes have to agree on.
 
+#include "vtkBravaisABINamespace.h"
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -3,11 +3,14 @@
 #ifndef BCCResample_h
 #define BCCResample_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkSmartPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractImageInterpolator;
 class vtkAlgorithm;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

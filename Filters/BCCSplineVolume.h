@@ -6,6 +6,7 @@
 #include "BCCBlock.h"
 #include "BCCKernel.h"
 #include "BCCPrefilter.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkType.h"
 
@@ -13,8 +14,10 @@
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

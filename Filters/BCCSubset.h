@@ -3,8 +3,12 @@
 #ifndef BCCSubset_h
 #define BCCSubset_h
 
+#include "vtkBravaisABINamespace.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -4,12 +4,15 @@
 #define CullVolume_h
 
 #include "VolumeTest.h"
+#include "vtkBravaisABINamespace.h"
 
 #include <memory>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkImplicitFunction;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -6,14 +6,17 @@
 #include "CellGrid.h"
 #include "GixelOctree.h"
 #include "MaskStore.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkType.h"
 
 #include <optional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

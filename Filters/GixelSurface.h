@@ -4,14 +4,17 @@
 #define GixelSurface_h
 
 #include "GixelTriangles.h"
+#include "vtkBravaisABINamespace.h"
 
 #include <functional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkImageData;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -3,13 +3,16 @@
 #ifndef LayerSampler_h
 #define LayerSampler_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkSmartPointer.h"
 
 #include <memory>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractImageInterpolator;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

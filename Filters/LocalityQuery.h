@@ -7,11 +7,14 @@
 #include "CullVolume.h"
 #include "GeometryHierarchy.h"
 #include "GeometryImage.h"
+#include "vtkBravaisABINamespace.h"
 
 #include <cstdint>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -5,6 +5,7 @@
 
 #include "GixelSampling.h"
 #include "MeshLayout.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -12,8 +13,10 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

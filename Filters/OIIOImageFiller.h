@@ -4,14 +4,17 @@
 #define OIIOImageFiller_h
 
 #include "OIIOImageFile.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkType.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

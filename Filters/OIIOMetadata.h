@@ -6,9 +6,12 @@
 /// \file
 /// An image file's metadata are field data of the image, an array for each attribute.
 
+#include "vtkBravaisABINamespace.h"
 #include <OpenImageIO/imageio.h>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFieldData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

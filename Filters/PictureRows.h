@@ -4,13 +4,16 @@
 #define PictureRows_h
 
 #include "Rank1Resampler.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkType.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -7,14 +7,17 @@
 /// Polygons of a rank-1 image, found by many threads and then put together in the texels' order.
 
 #include "Rank1Cells.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkType.h"
 
 #include <functional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkCellArray;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -9,15 +9,18 @@
 
 #include "Rank1Resampler.h"
 #include "Rank1Search.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkType.h"
 
 #include <optional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -4,6 +4,7 @@
 #define Rank1Texels_h
 
 #include "Rank1Sampling.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -13,8 +14,10 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataObject;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -19,6 +19,7 @@
 
 // The layout that the functions of an interpolator are handed. VTK 9.1 and 9.2 have it in
 // vtkImageInterpolatorInternals.h, which they do not install; InternalUpdate checks it.
+VTK_ABI_NAMESPACE_BEGIN
 struct vtkInterpolationInfo
 {
   const void* Pointer;
@@ -33,6 +34,7 @@ struct vtkInterpolationInfo
   vtkDataArray* Array;
   vtkIdType Index;
 };
+VTK_ABI_NAMESPACE_END
 
 vtkStandardNewMacro(vtkBCCInterpolator);
 

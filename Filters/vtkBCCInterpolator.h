@@ -37,10 +37,12 @@
 #define vtkBCCInterpolator_h
 
 #include "vtkAbstractImageInterpolator.h"
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 
 #include <memory> // For the coefficients
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkBCCInterpolator : public vtkAbstractImageInterpolator
 {
 public:
@@ -123,5 +125,6 @@ private:
 
   std::shared_ptr<const Coefficients> Cache;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -44,9 +44,11 @@
 #ifndef vtkBCCPrefilter_h
 #define vtkBCCPrefilter_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkBCCPrefilter : public vtkImageAlgorithm
 {
 public:
@@ -107,5 +109,6 @@ private:
   vtkBCCPrefilter(const vtkBCCPrefilter&) = delete;
   void operator=(const vtkBCCPrefilter&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

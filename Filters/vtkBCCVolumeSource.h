@@ -43,12 +43,14 @@
 #ifndef vtkBCCVolumeSource_h
 #define vtkBCCVolumeSource_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // For ImplicitFunction
 
 #include <string> // For the checks' messages
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImplicitFunction;
 
 class VTKBRAVAIS_EXPORT vtkBCCVolumeSource : public vtkImageAlgorithm
@@ -180,5 +182,6 @@ private:
   template <class T>
   bool Sample(vtkImageData* output);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -41,9 +41,11 @@
 #ifndef vtkBCCVolumeToImage_h
 #define vtkBCCVolumeToImage_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkBCCVolumeToImage : public vtkImageAlgorithm
 {
 public:
@@ -130,5 +132,6 @@ private:
   vtkBCCVolumeToImage(const vtkBCCVolumeToImage&) = delete;
   void operator=(const vtkBCCVolumeToImage&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -39,9 +39,11 @@
 #ifndef vtkBayerPattern_h
 #define vtkBayerPattern_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkObject.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDoubleArray;
 class vtkIdTypeArray;
@@ -113,5 +115,6 @@ private:
 
   int BaseOrder = FCC;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -62,12 +62,14 @@
 #ifndef vtkGeometryImageLocalityMask_h
 #define vtkGeometryImageLocalityMask_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // For CullFunction and Camera
 
 #include <memory> // For Internals
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkIdTypeArray;
 class vtkImplicitFunction;
@@ -273,5 +275,6 @@ private:
   class Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

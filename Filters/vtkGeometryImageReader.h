@@ -36,12 +36,14 @@
 #ifndef vtkGeometryImageReader_h
 #define vtkGeometryImageReader_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
 #include <memory> // For the open file
 #include <string> // For the reasons of failures
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkGeometryImageReader : public vtkImageAlgorithm
 {
 public:
@@ -79,5 +81,6 @@ private:
   class Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -41,11 +41,13 @@
 #ifndef vtkGeometryImageSource_h
 #define vtkGeometryImageSource_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
 #include <string> // For the check's message
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkGeometryImageSource : public vtkImageAlgorithm
 {
 public:
@@ -158,5 +160,6 @@ private:
   double BumpFrequency = 3.0;
   int OutputScalarType = VTK_FLOAT;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -52,11 +52,13 @@
 #ifndef vtkGeometryImageToPolyData_h
 #define vtkGeometryImageToPolyData_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // For the checks' messages
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 
@@ -136,5 +138,6 @@ private:
   bool ComputeNormals = true;
   bool ComputeTextureCoordinates = true;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -5,7 +5,8 @@
  * @brief   writes geometry images to .gim, .vti and pictures of floats
  *
  * The formats are those of vtkGeometryImageReader, by the file name's ending. .vti keeps all arrays
- * and the number type; .gim and pictures (.exr and .tif) keep the positions as 32-bit floats, with NaN for gixels that are not used.
+ * and the number type; .gim and pictures (.exr and .tif) keep the positions as 32-bit floats, with
+ * NaN for gixels that are not used.
  *
  * Errors, and no file: an input that is no geometry image, no FileName, a file that cannot be
  * written, and a format that would not keep floats. Write() then sets the ErrorCode.
@@ -23,11 +24,13 @@
 #ifndef vtkGeometryImageWriter_h
 #define vtkGeometryImageWriter_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageWriter.h"
 
 #include <string> // For the reasons of failures
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkGeometryImageWriter : public vtkImageWriter
 {
 public:
@@ -50,5 +53,6 @@ private:
 
   bool WriteImage(std::string& why);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -59,13 +59,16 @@
 #ifndef vtkImageToBCCVolume_h
 #define vtkImageToBCCVolume_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // For Interpolator
 
 #include <string> // For the checks' messages
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractImageInterpolator;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {
@@ -73,6 +76,7 @@ struct BCCPlacement;
 struct ImageGrid;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkImageToBCCVolume : public vtkImageAlgorithm
 {
 public:
@@ -166,5 +170,6 @@ private:
     vtkImageData* input, const bravais::BCCPlacement& placement, vtkImageData* output);
   int Fail(vtkInformationVector* outputVector, const std::string& why);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

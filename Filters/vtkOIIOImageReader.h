@@ -51,6 +51,7 @@
 #ifndef vtkOIIOImageReader_h
 #define vtkOIIOImageReader_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageReader2.h"
 
@@ -62,6 +63,7 @@ namespace bravais
 class OIIOImageFile;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkOIIOImageReader : public vtkImageReader2
 {
 public:
@@ -120,5 +122,6 @@ private:
   std::unique_ptr<bravais::OIIOImageFile> ImageFile;
   std::string Extensions;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

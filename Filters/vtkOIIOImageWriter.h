@@ -41,11 +41,13 @@
 #ifndef vtkOIIOImageWriter_h
 #define vtkOIIOImageWriter_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageWriter.h"
 
 #include <string> // For names and messages
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 class VTKBRAVAIS_EXPORT vtkOIIOImageWriter : public vtkImageWriter
@@ -112,5 +114,6 @@ private:
   std::string Compression;
   int TileSize[2] = { 0, 0 };
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -38,11 +38,13 @@
 #ifndef vtkOrderedDither_h
 #define vtkOrderedDither_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
 #include <string> // For the checks' messages
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 
 class VTKBRAVAIS_EXPORT vtkOrderedDither : public vtkImageAlgorithm
@@ -126,5 +128,6 @@ private:
   int BaseOrder = FCC;
   double InputRange[2] = { 0.0, 0.0 };
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

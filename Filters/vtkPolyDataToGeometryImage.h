@@ -58,12 +58,14 @@
 #ifndef vtkPolyDataToGeometryImage_h
 #define vtkPolyDataToGeometryImage_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
 #include <memory> // For Internals
 #include <string> // For the checks' messages
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 
 class VTKBRAVAIS_EXPORT vtkPolyDataToGeometryImage : public vtkImageAlgorithm
@@ -124,5 +126,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Members;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

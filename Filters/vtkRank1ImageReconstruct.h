@@ -38,9 +38,11 @@
 #ifndef vtkRank1ImageReconstruct_h
 #define vtkRank1ImageReconstruct_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkRank1ImageReconstruct : public vtkImageAlgorithm
 {
 public:
@@ -105,5 +107,6 @@ private:
   int Interpolation = Barycentric;
   int SamplesPerAxis = 1;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -41,9 +41,11 @@
 #ifndef vtkRank1ImageResample_h
 #define vtkRank1ImageResample_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkRank1ImageResample : public vtkImageAlgorithm
 {
 public:
@@ -158,5 +160,6 @@ private:
   int Filter = Automatic;
   int BoundaryMode = Periodic;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

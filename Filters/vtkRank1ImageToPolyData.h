@@ -37,9 +37,11 @@
 #ifndef vtkRank1ImageToPolyData_h
 #define vtkRank1ImageToPolyData_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkRank1ImageToPolyData : public vtkPolyDataAlgorithm
 {
 public:
@@ -84,5 +86,6 @@ private:
 
   int Shape = VoronoiCells;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -43,10 +43,12 @@
 #define vtkRank1TextureFileWriter_h
 
 #include "vtkAlgorithm.h"
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 
 #include <string> // For names and messages
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkImageData;
 
@@ -173,5 +175,6 @@ private:
   int BoundaryMode = Periodic;
   int MemoryLimit = 64;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -42,9 +42,11 @@
 #ifndef vtkRank1TexturePyramid_h
 #define vtkRank1TexturePyramid_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkRank1TexturePyramid : public vtkMultiBlockDataSetAlgorithm
 {
 public:
@@ -184,5 +186,6 @@ private:
   int Filter = Automatic;
   int BoundaryMode = Periodic;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -50,11 +50,13 @@
 #define vtkRank1TextureSampler_h
 
 #include "vtkAlgorithm.h"
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 
 #include <memory> // For Internals
 #include <string> // For names and messages
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataObject;
 
@@ -202,5 +204,6 @@ private:
   int CacheSize = 64;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -15,6 +15,7 @@
 #ifndef vtkBCCBrickMarks_h
 #define vtkBCCBrickMarks_h
 
+#include "vtkBravaisABINamespace.h"
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,7 @@ namespace bravais
 class BCCBricks;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 struct vtkBCCBrickMarks
 {
   /// How values of one component become scalars, and where these matter.
@@ -49,6 +51,7 @@ struct vtkBCCBrickMarks
   static std::vector<std::uint8_t> FindBounds(
     const bravais::BCCBricks& bricks, const std::vector<Scalars>& components, bool upper);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCBrickMarks.h

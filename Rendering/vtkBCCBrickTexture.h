@@ -11,6 +11,7 @@
 #ifndef vtkBCCBrickTexture_h
 #define vtkBCCBrickTexture_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkNew.h"
 #include "vtkType.h"
 
@@ -22,6 +23,7 @@ namespace bravais
 class BCCBricks;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkGPUVolumeRayCastMapper;
 class vtkOpenGLBufferObject;
 class vtkOpenGLGPUVolumeRayCastMapper;
@@ -73,6 +75,7 @@ private:
   vtkIdType Size = 0;
   std::tuple<Rule, vtkMTimeType, vtkMTimeType, vtkMTimeType, float, std::vector<float>> Filled;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCBrickTexture.h

@@ -12,10 +12,12 @@
 #ifndef vtkBCCCoefficientArray_h
 #define vtkBCCCoefficientArray_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkFloatArray.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 class vtkBCCCoefficientArray : public vtkFloatArray
@@ -41,6 +43,7 @@ private:
 
   std::vector<double> Ranges;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCCoefficientArray.h

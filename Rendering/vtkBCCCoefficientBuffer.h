@@ -14,10 +14,12 @@
 #define vtkBCCCoefficientBuffer_h
 
 #include "BCCKernel.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkNew.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkBCCCoefficientTexels;
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
@@ -48,6 +50,7 @@ private:
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCCoefficientBuffer.h

@@ -18,6 +18,7 @@
 #ifndef vtkBCCCoefficientTexels_h
 #define vtkBCCCoefficientTexels_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 
 #include <glm/vec3.hpp>
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 struct vtkBCCVolumeFrame;
 
@@ -56,6 +58,7 @@ private:
   void MirrorSlices(const vtkBCCVolumeFrame& frame);
   int GetSlice(int z) const;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCCoefficientTexels.h

@@ -12,10 +12,12 @@
 #ifndef vtkBCCDepthWatch_h
 #define vtkBCCDepthWatch_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkNew.h"
 
 #include <memory>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
@@ -47,6 +49,7 @@ private:
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   int Latest = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCDepthWatch.h

@@ -12,8 +12,10 @@
 #ifndef vtkBCCPictureState_h
 #define vtkBCCPictureState_h
 
+#include "vtkBravaisABINamespace.h"
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkGPUVolumeRayCastMapper;
 class vtkRenderer;
 class vtkVolume;
@@ -23,6 +25,7 @@ struct vtkBCCPictureState
   static std::vector<double> Get(
     vtkRenderer* renderer, vtkVolume* volume, vtkGPUVolumeRayCastMapper* mapper);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCPictureState.h

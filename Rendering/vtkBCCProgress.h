@@ -13,11 +13,13 @@
 #define vtkBCCProgress_h
 
 #include "vtkBCCProgressiveFrame.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkWeakPointer.h"
 
 #include <list>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 class vtkVolume;
 
@@ -48,6 +50,7 @@ private:
   unsigned long Count = 0; // of pictures
   bool Complete = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCProgress.h

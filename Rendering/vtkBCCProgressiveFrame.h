@@ -21,6 +21,7 @@
 
 #include "BayerPattern.h"
 #include "vtkBCCDepthWatch.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -33,6 +34,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
@@ -104,6 +106,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Depths;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Small;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCProgressiveFrame.h

@@ -10,8 +10,10 @@
 #ifndef vtkBCCRenderChecks_h
 #define vtkBCCRenderChecks_h
 
+#include "vtkBravaisABINamespace.h"
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkGPUVolumeRayCastMapper;
 class vtkRenderer;
 class vtkVolume;
@@ -29,6 +31,7 @@ struct vtkBCCRenderChecks
   /// others, 3 if one has a position.
   static int GetLightComplexity(vtkRenderer* renderer);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCRenderChecks.h

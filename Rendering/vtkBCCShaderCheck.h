@@ -12,9 +12,11 @@
 #ifndef vtkBCCShaderCheck_h
 #define vtkBCCShaderCheck_h
 
+#include "vtkBravaisABINamespace.h"
 #include <set>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkVolume;
 
 class vtkBCCShaderCheck
@@ -35,6 +37,7 @@ private:
 
   std::set<std::size_t> Good; // hashes of texts
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCShaderCheck.h

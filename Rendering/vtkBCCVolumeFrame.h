@@ -16,9 +16,11 @@
 #ifndef vtkBCCVolumeFrame_h
 #define vtkBCCVolumeFrame_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkType.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 struct VTKBRAVAIS_EXPORT vtkBCCVolumeFrame
@@ -52,6 +54,7 @@ private:
   double Origin[3]; // The corner where texture coordinates are 0.
   double Direction[9];
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCVolumeFrame.h

@@ -16,6 +16,7 @@
 #include "vtkBCCCoefficientTexels.h"
 #include "vtkBCCVolumeFrame.h"
 #include "vtkBCCVolumePiece.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
@@ -25,6 +26,7 @@
 #include <string>
 #include <tuple>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 
@@ -73,6 +75,7 @@ private:
   std::tuple<vtkImageData*, vtkMTimeType, vtkDataArray*, int, int, bool> Loaded;
   std::string LoadError; // why the last loading failed
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCVolumeInput.h

@@ -52,6 +52,7 @@
 #ifndef vtkBCCVolumeMapper_h
 #define vtkBCCVolumeMapper_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkCommand.h"       // For UserEvent
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
@@ -59,6 +60,7 @@
 #include <memory> // For Internals
 #include <string> // For Prepare
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkBCCProgressiveFrame;
 class vtkImageData;
 class vtkShaderProperty;
@@ -295,5 +297,6 @@ private:
   bool ProgressiveRefinement = false;
   int ProgressivePatternSize = 4;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -13,6 +13,9 @@
 #ifndef vtkBCCVolumeMask_h
 #define vtkBCCVolumeMask_h
 
+#include "vtkBravaisABINamespace.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkShaderProgram;
@@ -28,6 +31,7 @@ struct vtkBCCVolumeMask
   static void SetUniforms(vtkShaderProgram* program, vtkImageData* mask,
     const vtkBCCVolumeFrame& volume, const vtkBCCVolumeFrame& held, vtkImageData* standIn);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCVolumeMask.h

@@ -14,8 +14,10 @@
 #ifndef vtkBCCVolumePiece_h
 #define vtkBCCVolumePiece_h
 
+#include "vtkBravaisABINamespace.h"
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 struct vtkBCCVolumePiece
@@ -48,6 +50,7 @@ struct vtkBCCVolumePiece
   float Low[3];
   float High[3];
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCVolumePiece.h

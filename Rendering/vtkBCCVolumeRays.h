@@ -12,10 +12,12 @@
 #ifndef vtkBCCVolumeRays_h
 #define vtkBCCVolumeRays_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkNew.h"
 
 #include <array>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMatrix4x4;
 class vtkRenderer;
 class vtkShaderProgram;
@@ -46,6 +48,7 @@ private:
   std::array<double, 4> Bounds{ { 0.0, 0.0, 0.0, 0.0 } };
   float Corner[2] = { 0.0f, 0.0f };
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCVolumeRays.h

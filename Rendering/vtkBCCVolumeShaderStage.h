@@ -22,12 +22,14 @@
 #include "vtkBCCBrickTexture.h"
 #include "vtkBCCCoefficientBuffer.h"
 #include "vtkBCCShaderCheck.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkWeakPointer.h"
 
 #include <memory>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkBCCProgressiveFrame;
 class vtkBCCVolumeInput;
 class vtkRenderer;
@@ -120,6 +122,7 @@ private:
   vtkWeakPointer<vtkVolumeTexture> Filled;
   vtkMTimeType FilledTime = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCVolumeShaderStage.h

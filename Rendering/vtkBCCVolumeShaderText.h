@@ -11,11 +11,13 @@
 #define vtkBCCVolumeShaderText_h
 
 #include "BCCKernel.h"
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
 {
   /// The macro definitions and functions that give EvaluateBoxSpline(): the value and derivatives
@@ -66,6 +68,7 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   static std::string GetIsoSurfaceImplementation();
   static std::string GetIsoSurfaceTermination();
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkBCCVolumeShaderText.h

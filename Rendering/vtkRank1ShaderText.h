@@ -8,10 +8,12 @@
 #ifndef vtkRank1ShaderText_h
 #define vtkRank1ShaderText_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRank1TextureInput;
 
 class VTKBRAVAIS_EXPORT vtkRank1ShaderText
@@ -27,6 +29,7 @@ public:
   static void ReplaceGeometry(std::string& source);
   static void ReplaceFragment(std::string& source, const std::string& lookUp);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkRank1ShaderText.h

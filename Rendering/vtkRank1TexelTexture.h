@@ -11,10 +11,12 @@
 #ifndef vtkRank1TexelTexture_h
 #define vtkRank1TexelTexture_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
 class vtkRank1TextureInput;
@@ -39,6 +41,7 @@ private:
   vtkMTimeType FilledTime = 0; // of the data
   bool FilledHalf = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkRank1TexelTexture.h

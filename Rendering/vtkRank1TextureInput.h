@@ -13,6 +13,7 @@
 #define vtkRank1TextureInput_h
 
 #include "Rank1TextureLevels.h"
+#include "vtkBravaisABINamespace.h"
 
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkTimeStamp.h"
@@ -21,6 +22,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataObject;
 class vtkShaderProgram;
@@ -73,6 +75,7 @@ private:
   vtkMTimeType SourceTime = 0;
   std::string Refusal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
 // VTK-HeaderTest-Exclude: vtkRank1TextureInput.h

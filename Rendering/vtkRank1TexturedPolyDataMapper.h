@@ -41,12 +41,14 @@
 #ifndef vtkRank1TexturedPolyDataMapper_h
 #define vtkRank1TexturedPolyDataMapper_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkOpenGLPolyDataMapper.h"
 
 #include <memory> // For Internals
 #include <string> // For Prepare
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataObject;
 
@@ -151,5 +153,6 @@ private:
   int LevelFilter = 1;
   bool HalfPrecision = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

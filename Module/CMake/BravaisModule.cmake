@@ -33,7 +33,7 @@ endforeach ()
 vtk_module_add_module(Bravais::Bravais
   CLASSES ${BRAVAIS_COMMON} ${BRAVAIS_FILTERS} ${BRAVAIS_RENDERING}
   PRIVATE_CLASSES ${BRAVAIS_COMMON_PRIVATE} ${BRAVAIS_FILTERS_PRIVATE} ${BRAVAIS_RENDERING_PRIVATE}
-  NOWRAP_HEADERS ${core_headers}
+  NOWRAP_HEADERS ${core_headers} "Module/Common/vtkBravaisABINamespace.h"
   SOURCES ${shader_sources})
 foreach (folder IN ITEMS Module/Core Module/Common Filters Rendering)
   vtk_module_include(Bravais::Bravais

@@ -8,8 +8,11 @@
 /// alone. A check that fails returns false and sets `why`, ready for vtkErrorMacro.
 
 #include "ImageChecks.h"
+#include "vtkBravaisABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -8,12 +8,15 @@
 /// the mapper share.
 
 #include "BCCBlock.h"
+#include "vtkBravaisABINamespace.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

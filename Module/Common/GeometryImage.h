@@ -8,13 +8,16 @@
 /// tagged GeometryImage, with the points' positions in a 3-component float or double point array
 /// `Points`, and, where not all gixels are used, an unsigned char point array `Defined`.
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkType.h"
 
 #include <cmath>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -3,12 +3,16 @@
 #ifndef LatticeTag_h
 #define LatticeTag_h
 
+#include "vtkBravaisABINamespace.h"
+
 /// \file
 /// The mark that tells of a vtkImageData which lattice its points are on: a vtkStringArray named
 /// `Lattice` in its field data that holds one of the names below.
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

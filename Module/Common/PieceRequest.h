@@ -3,13 +3,17 @@
 #ifndef PieceRequest_h
 #define PieceRequest_h
 
+#include "vtkBravaisABINamespace.h"
+
 /// \file
 /// How a filter whose stencils reach beyond a piece asks for its input. Where numbered pieces are
 /// wanted (one for each MPI rank, say), VTK would hand the number on to the input, whose piece has
 /// none of its neighbours' samples. So the filter finds out which extent its piece is, and asks for
 /// all that this extent needs, as an extent.
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

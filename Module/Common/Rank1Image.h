@@ -9,12 +9,15 @@
 /// `Rank1.Domain` (xmin, xmax, ymin, ymax of the whole picture).
 
 #include "Rank1Lattice.h"
+#include "vtkBravaisABINamespace.h"
 
 #include <optional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

@@ -19,11 +19,14 @@
 /// written to a file and read again is still one. All blocks have the same `Rank1.Domain`, scalar
 /// type and number of components.
 
+#include "vtkBravaisABINamespace.h"
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

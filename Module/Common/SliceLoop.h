@@ -3,9 +3,12 @@
 #ifndef SliceLoop_h
 #define SliceLoop_h
 
+#include "vtkBravaisABINamespace.h"
 #include <functional>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {

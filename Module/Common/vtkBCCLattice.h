@@ -28,9 +28,11 @@
 #ifndef vtkBCCLattice_h
 #define vtkBCCLattice_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkObject.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkImageData;
 
@@ -117,5 +119,6 @@ private:
   vtkBCCLattice(const vtkBCCLattice&) = delete;
   void operator=(const vtkBCCLattice&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -34,11 +34,13 @@
 #ifndef vtkRank1Lattice_h
 #define vtkRank1Lattice_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkObject.h"
 
 #include <memory> // For std::unique_ptr
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkRank1Lattice : public vtkObject
 {
 public:
@@ -175,5 +177,6 @@ private:
   int Layout = Korobov;
   std::unique_ptr<Internals> Cache;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -20,7 +20,7 @@ from bravais import vtkBCCVolumeMapper
 
 MODES = ("Composite", "IsoSurface", "MaximumIntensity")
 KERNELS = (7, 12)
-frames = 300
+frames = 120
 
 GL_DEBUG_OUTPUT = 0x92E0
 GL_DEBUG_OUTPUT_SYNCHRONOUS = 0x8242

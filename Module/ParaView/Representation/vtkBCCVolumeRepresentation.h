@@ -23,9 +23,11 @@
 #ifndef vtkBCCVolumeRepresentation_h
 #define vtkBCCVolumeRepresentation_h
 
+#include "vtkBravaisABINamespace.h"
 #include "vtkBravaisParaViewModule.h" // For export macro
 #include "vtkImageVolumeRepresentation.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkBCCVolumeMapper;
 class vtkImageData;
 
@@ -77,5 +79,6 @@ private:
   double SampleDistance = 0.0;
   double WholeBounds[6];
 };
+VTK_ABI_NAMESPACE_END
 
 #endif
