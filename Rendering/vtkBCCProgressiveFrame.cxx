@@ -90,8 +90,8 @@ void vtkBCCProgressiveFrame::Allocate()
     return texture;
   };
   this->Colors = attach(0, 4);
-  this->Depths = this->Current.Depth ? attach(1, 1) : nullptr;
-  this->Small->ActivateDrawBuffers(this->Current.Depth ? 2 : 1);
+  this->Depths = attach(1, 1);
+  this->Small->ActivateDrawBuffers(2);
   state->PopDrawFramebufferBinding();
   this->Watch = std::make_unique<vtkBCCDepthWatch>(
     this->Window, this->Current.Viewport[2], this->Current.Viewport[3]);
@@ -130,7 +130,7 @@ void vtkBCCProgressiveFrame::StartTracing(
   vtkOpenGLState* state = this->Window->GetState();
   this->Target = std::make_unique<TraceTarget>(state);
   this->Small->Bind(GL_DRAW_FRAMEBUFFER);
-  this->Small->ActivateDrawBuffers(this->Current.Depth ? 2 : 1);
+  this->Small->ActivateDrawBuffers(2);
   if (this->IsComplete())
   {
     state->vtkglViewport(0, 0, 0, 0);
@@ -205,16 +205,12 @@ void vtkBCCProgressiveFrame::Show(const Draw& drawBox)
   state->vtkglEnable(GL_CULL_FACE);
   state->vtkglCullFace(GL_BACK);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->vtkglDepthMask(this->Depths ? GL_TRUE : GL_FALSE);
+  state->vtkglDepthMask(this->Current.Depth ? GL_TRUE : GL_FALSE);
+  // Rays of other pixels may not know of what is in front here. A pixel's own has made the test.
+  state->vtkglDepthFunc(this->Current.Depth && this->IsComplete() ? GL_ALWAYS : GL_LEQUAL);
   this->Colors->Activate();
-  if (this->Depths)
-  {
-    // Rays of other pixels may not know of what is in front here. A pixel's own has made the test.
-    state->vtkglDepthFunc(this->IsComplete() ? GL_ALWAYS : GL_LEQUAL);
-    this->Depths->Activate();
-  }
-
-  if (this->Depths && this->Passes == 1)
+  this->Depths->Activate();
+  if (this->Passes == 1)
   {
     this->ShowFirst();
   }
@@ -223,11 +219,8 @@ void vtkBCCProgressiveFrame::Show(const Draw& drawBox)
     this->ShowNearest(drawBox);
   }
 
+  this->Depths->Deactivate();
   this->Colors->Deactivate();
-  if (this->Depths)
-  {
-    this->Depths->Deactivate();
-  }
   state->vtkglCullFace(static_cast<unsigned int>(cullFace));
 }
 
@@ -241,10 +234,7 @@ vtkShaderProgram* vtkBCCProgressiveFrame::GetShowProgram(
   {
     program->SetUniform2i("in_bccSmall", this->GetSmallSize().data());
     program->SetUniformi("in_bccTraced", this->Colors->GetTextureUnit());
-    if (this->Depths)
-    {
-      program->SetUniformi("in_bccTracedDepth", this->Depths->GetTextureUnit());
-    }
+    program->SetUniformi("in_bccTracedDepth", this->Depths->GetTextureUnit());
   }
   return program;
 }
@@ -282,7 +272,7 @@ void vtkBCCProgressiveFrame::ShowFirst()
 void vtkBCCProgressiveFrame::ShowNearest(const Draw& drawBox)
 {
   std::string fragment = bccShowTraced_glsl;
-  if (this->Depths)
+  if (this->Current.Depth)
   {
     vtkShaderProgram::Substitute(
       fragment, "//VTK::Output::Dec", "#define BCC_DEPTH\n//VTK::Output::Dec");

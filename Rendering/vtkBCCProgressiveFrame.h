@@ -7,13 +7,13 @@
  * The viewport is cut into blocks of s x s pixels. Each pass traces one pixel of every block, in
  * the order of a Bayer pattern, into a small picture of one pixel a block. The small pictures of
  * all passes lie beside each other in one texture of floats, those of the cells (x, y) of the
- * blocks in s columns and s rows; a second texture holds depths where they are wanted. Where a ray
- * was discarded alpha is -1.
+ * blocks in s columns and s rows; a second texture holds depths, of the surface where one writes
+ * them and else of where the ray enters. Where a ray was discarded alpha is -1.
  *
  * A pass goes StartTracing(), while VTK draws the volume by a program of bccPixelRay.glsl and
  * bccSmallPicture.glsl, StopTracing(), and Show(), which draws VTK's box over the viewport and
  * colours each pixel by its ray, or by the nearest that has been traced. The first pass, which is
- * all that a moving camera shows, is drawn as one point a block where there are depths.
+ * all that a moving camera shows, is drawn as one point a block.
  */
 
 #ifndef vtkBCCProgressiveFrame_h

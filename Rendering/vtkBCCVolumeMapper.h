@@ -20,7 +20,8 @@
  * the spline may exceed. vtkVolumeProperty's interpolation type matters to transfer functions only:
  * the kernel interpolates.
  *
- * @code{.py}
+ * Example:
+ * @code
  * mapper = vtkBCCVolumeMapper()
  * mapper.SetKernelToBCC7()
  * mapper.SetInputConnection(source.GetOutputPort())

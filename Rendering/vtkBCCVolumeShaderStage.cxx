@@ -258,10 +258,11 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
   if (this->Current.WriteDepth)
   {
     after("//VTK::Base::Exit", "  gl_FragDepth = g_bccDepth;");
-    if (this->Current.Progressive)
-    {
-      after("//VTK::Base::Exit", "  gl_FragData[1] = vec4(g_bccDepth);");
-    }
+  }
+  if (this->Current.Progressive)
+  {
+    const std::string depth = this->Current.WriteDepth ? "g_bccDepth" : "g_bccFragCoord.z";
+    after("//VTK::Base::Exit", "  gl_FragData[1] = vec4(" + depth + ");");
   }
   const std::string gradientTag = "//VTK::ComputeGradient::Dec";
   if (analytic)

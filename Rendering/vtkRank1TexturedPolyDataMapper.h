@@ -19,7 +19,8 @@
  * vtkOpenGLPolyDataMapper: lighting, scalars, edges, clipping, picking, shader replacements, and
  * further textures of the actor. (SeamlessU and SeamlessV are for those only.)
  *
- * @code{.py}
+ * Example:
+ * @code
  * mapper = vtkRank1TexturedPolyDataMapper()
  * mapper.SetInputConnection(plane.GetOutputPort())
  * mapper.SetInputConnection(1, pyramid.GetOutputPort())
