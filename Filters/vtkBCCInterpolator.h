@@ -23,7 +23,8 @@
  * VTK's filters pass the field data of their input on, the tag too, though what they make by this
  * interpolator is a Cartesian image: remove the array `Lattice` from it.
  *
- * @code{.py}
+ * Example:
+ * @code
  * source = vtkBCCVolumeSource()
  * reslice = vtkImageReslice()
  * reslice.SetInputConnection(source.GetOutputPort())

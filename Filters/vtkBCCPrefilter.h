@@ -31,7 +31,8 @@
  * whole component under the other two. Bad input (not tagged, fewer than two layers, BCC7 or BCC12
  * with Interpolation) gets one error and an empty output.
  *
- * @code{.py}
+ * Example:
+ * @code
  * source = vtkBCCVolumeSource()
  * prefilter = vtkBCCPrefilter()
  * prefilter.SetInputConnection(source.GetOutputPort())

@@ -30,7 +30,8 @@
  * chosen function that is not finite, with Alpha at or below -1, or StandardDeviation at or below
  * 0.
  *
- * @code{.py}
+ * Example:
+ * @code
  * source = vtkBCCVolumeSource()
  * source.SetDimensions(39, 39, 78)
  * source.Update()

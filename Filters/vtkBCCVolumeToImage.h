@@ -28,7 +28,8 @@
  * layers, negative dimensions, BCC7 or BCC12 with Interpolation) gets one error and an empty
  * output.
  *
- * @code{.py}
+ * Example:
+ * @code
  * source = vtkBCCVolumeSource()
  * image = vtkBCCVolumeToImage()
  * image.SetInputConnection(source.GetOutputPort())

@@ -28,7 +28,8 @@
  * a negative size, a size whose ranks or memory cannot be had, and no array are errors: the array
  * is then empty and the result false.
  *
- * @code{.py}
+ * Example:
+ * @code
  * ranks = vtkIdTypeArray()
  * vtkBayerPattern().GetThresholds(2, 2, ranks)  # 0 8 2 10 12 4 14 6 3 11 1 9 15 7 13 5
  * @endcode

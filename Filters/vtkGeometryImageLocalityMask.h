@@ -49,7 +49,8 @@
  * with NaN or infinite parameters, a vtkPlanes without planes, a vtkBox whose bounds are not in
  * order; an AspectRatio that is not positive.
  *
- * @code{.py}
+ * Example:
+ * @code
  * mask = vtkGeometryImageLocalityMask()
  * mask.SetCullFunction(planes)
  * mask.SetInputConnection(source.GetOutputPort())

@@ -24,7 +24,8 @@
  * header tells, of another format or number type, or with fewer than 3 channels; more gixels than
  * memory can hold.
  *
- * @code{.py}
+ * Example:
+ * @code
  * reader = vtkGeometryImageReader()
  * reader.SetFileName("bunny.gim")
  * reader.Update()

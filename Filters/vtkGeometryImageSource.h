@@ -29,7 +29,8 @@
  * in memory; a radius, or cross-section, that is not finite and positive; a centre, amplitude or
  * frequency that is not finite.
  *
- * @code{.py}
+ * Example:
+ * @code
  * source = vtkGeometryImageSource()
  * source.SetShapeToBumpySphere()
  * source.Update()

@@ -39,7 +39,8 @@
  * char a gixel; a level of detail below 0 or above 30. An image of one row or column, or whose
  * gixels are all unused, has no triangles, which is no error.
  *
- * @code{.py}
+ * Example:
+ * @code
  * surface = vtkGeometryImageToPolyData()
  * surface.SetLevelOfDetail(1)
  * surface.SetInputConnection(mask.GetOutputPort())

@@ -11,7 +11,8 @@
  * Errors, and no file: an input that is no geometry image, no FileName, a file that cannot be
  * written, and a format that would not keep floats. Write() then sets the ErrorCode.
  *
- * @code{.py}
+ * Example:
+ * @code
  * writer = vtkGeometryImageWriter()
  * writer.SetFileName("sphere.gim")
  * writer.SetInputConnection(source.GetOutputPort())

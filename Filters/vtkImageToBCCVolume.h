@@ -47,7 +47,8 @@
  * Dimensions that are neither 0, 0, 0 nor at least 1, 1, 2; no Interpolator, or one for BCC
  * volumes; more points than can be counted or kept in memory.
  *
- * @code{.py}
+ * Example:
+ * @code
  * to_bcc = vtkImageToBCCVolume()
  * to_bcc.SetInputConnection(reader.GetOutputPort())
  * to_bcc.Update()

@@ -37,7 +37,8 @@
  * pixels than that, a SubImage or MipLevel that the file does not have, and slices that differ. The
  * superclass' `MemoryBuffer` is not read.
  *
- * @code{.py}
+ * Example:
+ * @code
  * reader = vtkOIIOImageReader()
  * reader.SetFileName("picture.exr")
  * reader.Update()

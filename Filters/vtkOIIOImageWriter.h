@@ -27,7 +27,8 @@
  * that is unknown or lacks the type, the number of components, tiles or the compression, a folder
  * that cannot be written, and a volume without FilePrefix.
  *
- * @code{.py}
+ * Example:
+ * @code
  * writer = vtkOIIOImageWriter()
  * writer.SetFileName("picture.exr")
  * writer.SetScalarTypeToHalf()

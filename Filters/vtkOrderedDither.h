@@ -25,7 +25,8 @@
  * InputRange), a log2 size below 0 or above 22 / Dimensionality, no points, no point scalars, and
  * a scalar type that VTK has no images of.
  *
- * @code{.py}
+ * Example:
+ * @code
  * dither = vtkOrderedDither()
  * dither.SetNumberOfLevels(4)
  * dither.SetInputConnection(reader.GetOutputPort())

@@ -45,7 +45,8 @@
  * more than one boundary (the error tells both numbers); and parts so long and thin that double
  * precision cannot tell their triangles apart.
  *
- * @code{.py}
+ * Example:
+ * @code
  * image = vtkPolyDataToGeometryImage()
  * image.SetDimensions(257, 257)
  * image.SetInputConnection(reader.GetOutputPort())

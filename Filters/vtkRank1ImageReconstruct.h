@@ -25,7 +25,8 @@
  * dimensions contradict each other, no point scalars, negative dimensions, samples below 1 or above
  * 256, and an output beyond the machine's memory.
  *
- * @code{.py}
+ * Example:
+ * @code
  * image = vtkRank1ImageReconstruct()
  * image.SetOutputDimensions(512, 512)
  * image.SetInputConnection(rank1.GetOutputPort())

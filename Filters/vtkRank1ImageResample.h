@@ -28,7 +28,8 @@
  * common to g1, g2 and n), tiles below 1, a tile's aspect beyond 10^6 : 1, and an output beyond the
  * machine's memory.
  *
- * @code{.py}
+ * Example:
+ * @code
  * rank1 = vtkRank1ImageResample()
  * rank1.SetNumberOfPoints(65536)
  * rank1.SetInputConnection(reader.GetOutputPort())

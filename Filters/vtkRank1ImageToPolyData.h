@@ -25,7 +25,8 @@
  * Errors, with an empty output: an input that is not tagged as a rank-1 image, or whose marks and
  * dimensions contradict each other, and no point scalars.
  *
- * @code{.py}
+ * Example:
+ * @code
  * cells = vtkRank1ImageToPolyData()
  * cells.SetInputConnection(rank1.GetOutputPort())
  * cells.SetShapeToDelaunayTriangles()

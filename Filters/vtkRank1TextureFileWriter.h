@@ -29,7 +29,8 @@
  * Errors, and no file: those of vtkRank1TexturePyramid and vtkOIIOImageWriter, other scalar types,
  * a format without tiles, and an r-set of 2^31 pixels or more along an axis.
  *
- * @code{.py}
+ * Example:
+ * @code
  * writer = vtkRank1TextureFileWriter()
  * writer.SetFileName("large.tif")
  * writer.SetInputConnection(reader.GetOutputPort())

@@ -28,7 +28,8 @@
  *
  * Errors, with an empty output: those of vtkRank1ImageResample, and a number of levels below 0.
  *
- * @code{.py}
+ * Example:
+ * @code
  * pyramid = vtkRank1TexturePyramid()
  * pyramid.SetKindToRSet()
  * pyramid.SetTiles(16, 16)

@@ -37,7 +37,8 @@
  * Errors, and no values: no input, one that is no rank-1 texture, a file that is none or cannot be
  * read, arrays of coordinates or footprints of other numbers of components or tuples.
  *
- * @code{.py}
+ * Example:
+ * @code
  * sampler = vtkRank1TextureSampler()
  * sampler.SetInputConnection(pyramid.GetOutputPort())
  * sampler.Sample(coordinates, footprints, values)  # arrays of 2 and 4 components, and the result

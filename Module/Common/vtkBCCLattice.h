@@ -16,7 +16,8 @@
  * k is the index in the whole extent, so that a piece that starts at an odd layer is still right.
  * The lattice is isotropic when s.x = s.y = 2 s.z. Positions follow the image's direction matrix.
  *
- * @code{.py}
+ * Example:
+ * @code
  * vtkBCCLattice.Tag(image)
  * x = [0.0, 0.0, 0.0]
  * vtkBCCLattice.GetPoint(image, (0, 0, 1), x)  # half a spacing along x and y

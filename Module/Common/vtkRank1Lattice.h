@@ -22,7 +22,8 @@
  * generate fewer points), and an aspect that is not positive and finite, or beyond 10^6 : 1, are an
  * error of every question asked; answers are then 0, or -1 for an index.
  *
- * @code{.py}
+ * Example:
+ * @code
  * lattice = vtkRank1Lattice()
  * lattice.SetNumberOfPoints(262144)
  * lattice.MaximizeMinimumDistance()  # generator (1, 1990), efficiency 0.903

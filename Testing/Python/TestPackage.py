@@ -43,7 +43,7 @@ class TestPackage(unittest.TestCase):
         """Every class whose documentation has an example makes objects and calls methods that are."""
         checked = 0
         for name, kind in get_classes().items():
-            example = kind.__doc__.partition("{.py}")[2].partition("@sa")[0]
+            example = kind.__doc__.partition("Example:")[2].partition("@sa")[0]
             for variable, called in re.findall(r"(\w+) = (vtk\w+)\(\)", example):
                 made = getattr(bravais, called, None)
                 for method in re.findall(rf"\b{variable}\.(\w+)\(", example) if made else ():
