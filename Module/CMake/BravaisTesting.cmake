@@ -19,7 +19,8 @@ set(BRAVAIS_BASELINES "${CMAKE_CURRENT_SOURCE_DIR}/Data/Baseline")
 set(BRAVAIS_TEMPORARY "${CMAKE_CURRENT_BINARY_DIR}/Temporary")
 file(MAKE_DIRECTORY "${BRAVAIS_TEMPORARY}")
 
-set(BRAVAIS_TEST_ENVIRONMENT)
+# Where Mesa draws by llvmpipe, most of the time of small pictures goes into optimising shaders.
+set(BRAVAIS_TEST_ENVIRONMENT "GALLIVM_PERF=nopt")
 if (BRAVAIS_SANITIZE)
   # Leaks are looked for in Core only: Python and the OpenGL driver keep memory until the end.
   list(APPEND BRAVAIS_TEST_ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
