@@ -16,10 +16,12 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCCoefficientTexels
   vtkBCCDepthWatch
   vtkBCCPictureState
+  vtkBCCPieceSampling
   vtkBCCProgress
   vtkBCCProgressiveFrame
   vtkBCCRenderChecks
   vtkBCCShaderCheck
+  vtkBCCShaderOptions
   vtkBCCVolumeFrame
   vtkBCCVolumeInput
   vtkBCCVolumeMask

@@ -2,11 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCProgress.h"
 
+#include "vtkBCCPictureState.h"
+#include "vtkBCCVolumeMapper.h"
+
 #include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtk_glew.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 struct vtkBCCProgress::Entry
 {
@@ -43,13 +51,23 @@ vtkBCCProgress::Entry& vtkBCCProgress::Find(vtkRenderer* renderer, vtkVolume* vo
 }
 
 //------------------------------------------------------------------------------
-vtkBCCProgressiveFrame* vtkBCCProgress::GetFrame(vtkRenderer* renderer, vtkVolume* volume)
+vtkBCCProgressiveFrame* vtkBCCProgress::StartPass(
+  vtkRenderer* renderer, vtkVolume* volume, vtkBCCVolumeMapper* mapper, bool depth)
 {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkBCCProgressiveFrame::Layout layout;
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, layout.Viewport.data());
+  const int size = mapper->GetProgressivePatternSize();
+  layout.Log2BlockSize = size == 8 ? 3 : (size == 4 ? 2 : 1);
+  layout.Depth = depth;
+  std::vector<double> state = vtkBCCPictureState::Get(renderer, volume, mapper);
+  state.push_back(static_cast<double>(mapper->GetCoefficientTime()));
   Entry& entry = this->Find(renderer, volume);
   if (!entry.Frame)
   {
     entry.Frame = std::make_unique<vtkBCCProgressiveFrame>();
   }
+  entry.Frame->Prepare(window, layout, std::move(state));
   return entry.Frame.get();
 }
 

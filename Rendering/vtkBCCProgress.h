@@ -20,6 +20,7 @@
 #include <list>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkBCCVolumeMapper;
 class vtkRenderer;
 class vtkVolume;
 
@@ -29,8 +30,10 @@ public:
   vtkBCCProgress();
   ~vtkBCCProgress();
 
-  /// The frame of a volume in a renderer, for the eye that its camera is at.
-  vtkBCCProgressiveFrame* GetFrame(vtkRenderer* renderer, vtkVolume* volume);
+  /// The frame of a volume in a renderer, for the eye that its camera is at, ready for the next
+  /// pass of a picture as the mapper has it, with depths or without.
+  vtkBCCProgressiveFrame* StartPass(
+    vtkRenderer* renderer, vtkVolume* volume, vtkBCCVolumeMapper* mapper, bool depth);
 
   /// After the volume was drawn in the renderer, and its picture is complete or not. True if all
   /// pictures so became complete.

@@ -64,12 +64,6 @@ std::array<int, 2> vtkBCCProgressiveFrame::GetSmallSize() const
 }
 
 //------------------------------------------------------------------------------
-double vtkBCCProgressiveFrame::GetProgress() const
-{
-  return static_cast<double>(this->Passes) / static_cast<double>(this->Pattern->GetNumberOfCells());
-}
-
-//------------------------------------------------------------------------------
 void vtkBCCProgressiveFrame::Allocate()
 {
   const int block = 1 << this->Current.Log2BlockSize;
@@ -163,11 +157,17 @@ void vtkBCCProgressiveFrame::StartTracing(
 }
 
 //------------------------------------------------------------------------------
-void vtkBCCProgressiveFrame::StopTracing()
+bool vtkBCCProgressiveFrame::Finish(const Draw& drawBox)
 {
+  if (!this->Target)
+  {
+    return true;
+  }
   this->Target.reset();
   this->Window->GetState()->SetEnumState(GL_BLEND, this->Blend);
   this->Passes += this->IsComplete() ? 0 : 1;
+  this->Show(drawBox);
+  return this->IsComplete();
 }
 
 //------------------------------------------------------------------------------

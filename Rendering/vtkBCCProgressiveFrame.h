@@ -11,9 +11,9 @@
  * them and else of where the ray enters. Where a ray was discarded alpha is -1.
  *
  * A pass goes StartTracing(), while VTK draws the volume by a program of bccPixelRay.glsl and
- * bccSmallPicture.glsl, StopTracing(), and Show(), which draws VTK's box over the viewport and
- * colours each pixel by its ray, or by the nearest that has been traced. The first pass, which is
- * all that a moving camera shows, is drawn as one point a block.
+ * bccSmallPicture.glsl, and Finish(), which draws VTK's box over the viewport and colours each
+ * pixel by its ray, or by the nearest that has been traced. The first pass, which is all that a
+ * moving camera shows, is drawn as one point a block.
  */
 
 #ifndef vtkBCCProgressiveFrame_h
@@ -62,27 +62,23 @@ public:
   /// The window has to be current, its framebuffer bound and its viewport set.
   void Prepare(vtkOpenGLRenderWindow* window, const Layout& layout, std::vector<double> state);
 
-  bool IsComplete() const { return this->Passes == this->Pattern->GetNumberOfCells(); }
-  double GetProgress() const;
-
   /// Directs what is drawn by the program to this pass's small picture, or nowhere if all is
   /// traced. The box lies within bounds of pixels: x from 0 to 1 and y from 2 to 3.
   void StartTracing(vtkShaderProgram* program, const std::array<double, 4>& bounds);
 
-  /// Whether it was started since Prepare(): VTK may have found that there is nothing to draw.
-  bool IsTracing() const { return this->Target != nullptr; }
-
-  /// Ends the pass.
-  void StopTracing();
-
   /// Has VTK's box drawn by a program of the vertex shader by which it is always drawn.
   using Draw = std::function<void(vtkShaderProgram*)>;
-  void Show(const Draw& drawBox);
+
+  /// Ends the pass and shows what is traced, if it was started: VTK may have found that there is
+  /// nothing to draw. Whether the picture is complete.
+  bool Finish(const Draw& drawBox);
 
 private:
+  bool IsComplete() const { return this->Passes == this->Pattern->GetNumberOfCells(); }
   void Allocate();
   void UpdateSteps();
   vtkShaderProgram* GetShowProgram(const std::string& vertex, const std::string& fragment);
+  void Show(const Draw& drawBox);
   void ShowFirst();
   void ShowNearest(const Draw& drawBox);
   std::array<int, 2> GetSmallSize() const;

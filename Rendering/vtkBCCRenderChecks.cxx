@@ -90,6 +90,21 @@ bool vtkBCCRenderChecks::Check(
 }
 
 //------------------------------------------------------------------------------
+bool vtkBCCRenderChecks::CheckPatterns(int jitter, int size, std::string& why)
+{
+  if (jitter < 0 || jitter > 2)
+  {
+    why = "JitterPattern is " + std::to_string(jitter) +
+      "; it has to be 0 (None), 1 (VTK) or 2 (Bayer).";
+  }
+  else if (size != 2 && size != 4 && size != 8)
+  {
+    why = "ProgressivePatternSize is " + std::to_string(size) + "; it has to be 2, 4 or 8.";
+  }
+  return why.empty();
+}
+
+//------------------------------------------------------------------------------
 bool vtkBCCRenderChecks::CheckShading(
   vtkRenderer* renderer, vtkVolume* volume, int components, std::string& why)
 {

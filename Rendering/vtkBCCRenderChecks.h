@@ -23,6 +23,9 @@ struct vtkBCCRenderChecks
   /// Whether VTK can render a volume of one input; else tells why not.
   static bool Check(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, std::string& why);
 
+  /// Whether the numbers of a jitter pattern and a progressive pattern's size are ones there are.
+  static bool CheckPatterns(int jitter, int size, std::string& why);
+
   /// The same for what depends on the components of the scalars, and on the lights.
   static bool CheckShading(
     vtkRenderer* renderer, vtkVolume* volume, int components, std::string& why);

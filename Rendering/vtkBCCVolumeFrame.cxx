@@ -61,23 +61,34 @@ void vtkBCCVolumeFrame::GetGradientMatrix(float matrix[9]) const
 }
 
 //------------------------------------------------------------------------------
+void vtkBCCVolumeFrame::GetStandInExtent(int extent[6]) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent[2 * axis] = 0;
+    extent[2 * axis + 1] =
+      this->Extent[2 * axis + 1] - this->Extent[2 * axis] + (axis == 2 ? 0 : 1);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkBCCVolumeFrame::FitStandIn(vtkImageData* standIn, bool oneCell) const
 {
-  const int cells[3] = { this->Extent[1] - this->Extent[0] + 1,
-    this->Extent[3] - this->Extent[2] + 1, this->Extent[5] - this->Extent[4] };
+  int extent[6];
+  this->GetStandInExtent(extent);
   standIn->Initialize();
   standIn->SetOrigin(this->Origin);
   standIn->SetDirectionMatrix(const_cast<double*>(this->Direction));
   if (oneCell)
   {
     standIn->SetSpacing(
-      this->Spacing[0] * cells[0], this->Spacing[1] * cells[1], this->Spacing[2] * cells[2]);
+      this->Spacing[0] * extent[1], this->Spacing[1] * extent[3], this->Spacing[2] * extent[5]);
     standIn->SetDimensions(2, 2, 2);
   }
   else
   {
     standIn->SetSpacing(this->Spacing);
-    standIn->SetDimensions(cells[0] + 1, cells[1] + 1, cells[2] + 1);
+    standIn->SetExtent(extent);
   }
   standIn->Modified();
 }

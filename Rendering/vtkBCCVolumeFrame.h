@@ -36,6 +36,9 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeFrame
   /// cell only, VTK's texture is small: for a piece, whose process has no room for the whole.
   void FitStandIn(vtkImageData* standIn, bool oneCell = false) const;
 
+  /// The extent of a stand-in that has as many cells as samples, Spacing[] each.
+  void GetStandInExtent(int extent[6]) const;
+
   vtkIdType GetNumberOfPoints() const;
 
   /// What makes the gradient in the volume's own system, direction and all, of derivatives along

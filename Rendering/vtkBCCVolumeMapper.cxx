@@ -2,48 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBCCVolumeMapper.h"
 
-#include "BCCBricks.h"
 #include "BCCChecks.h"
 #include "BCCCoefficients.h"
 #include "BCCPrefilter.h"
 #include "vtkBCCLattice.h"
-#include "vtkBCCPictureState.h"
+#include "vtkBCCPieceSampling.h"
 #include "vtkBCCProgress.h"
 #include "vtkBCCProgressiveFrame.h"
 #include "vtkBCCRenderChecks.h"
 #include "vtkBCCVolumeInput.h"
-#include "vtkBCCVolumeMask.h"
 #include "vtkBCCVolumePiece.h"
 #include "vtkBCCVolumeShaderStage.h"
 #include "vtkBCCVolumeShaderText.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderProperty.h"
-#include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 vtkStandardNewMacro(vtkBCCVolumeMapper);
 
@@ -213,39 +202,9 @@ double* vtkBCCVolumeMapper::GetBounds()
 }
 
 //------------------------------------------------------------------------------
-void vtkBCCVolumeMapper::FindReach(
-  const double latticePerUnit[3], double distance, bool surfaces, int reach[3]) const
-{
-  const auto kernel = bravais::ToBCCKernel(this->Kernel);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    // Two samples before the part and after it tell of surfaces within.
-    const double samples = surfaces ? 2.02 * distance * latticePerUnit[axis] : 0.0;
-    const int cell = this->AnalyticGradients ? 0 : (axis == 2 ? 1 : 2);
-    const double far = bravais::BCCBricks::GetReach(kernel.value_or(bravais::BCCKernel::BCC12)) -
-      1 + std::ceil(samples) + cell;
-    reach[axis] = static_cast<int>(std::min(far, 1e6));
-  }
-}
-
-//------------------------------------------------------------------------------
 int vtkBCCVolumeMapper::GetNumberOfGhostLevels(const double spacing[3], double scale)
 {
-  const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
-  const double least = std::min({ spacing[0], spacing[1], spacing[2] });
-  const double distance = this->AutoAdjustSampleDistances
-    ? least * scale
-    : (this->LockSampleDistanceToInputSpacing ? mean / 2.0 : this->SampleDistance);
-  const double latticePerUnit[3] = { 2.0 / spacing[0], 2.0 / spacing[1], 1.0 / spacing[2] };
-  int reach[3];
-  this->FindReach(latticePerUnit, distance, true, reach);
-  int levels = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    levels =
-      std::max(levels, vtkBCCVolumePiece::GetGhostLevels(axis, reach[axis], this->Prefilter));
-  }
-  return levels;
+  return vtkBCCPieceSampling::GetNumberOfGhostLevels(this, spacing, scale);
 }
 
 //------------------------------------------------------------------------------
@@ -253,30 +212,11 @@ int vtkBCCVolumeMapper::GetNumberOfGhostLevels(const double spacing[3], double s
 float vtkBCCVolumeMapper::FindSampleDistance(const vtkBCCVolumeFrame& frame, vtkVolume* volume)
 {
   double spacing[3];
+  int extent[6];
   std::copy_n(frame.Spacing, 3, spacing);
-  if (this->AutoAdjustSampleDistances)
-  {
-    double least = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      double column[3];
-      for (int row = 0; row < 3; ++row)
-      {
-        column[row] = volume->GetMatrix()->GetElement(row, axis);
-      }
-      least = std::min(least, spacing[axis] * vtkMath::Norm(column));
-    }
-    return static_cast<float>(least);
-  }
-  if (this->LockSampleDistanceToInputSpacing)
-  {
-    int extent[6] = { 0, frame.Extent[1] - frame.Extent[0] + 1, 0,
-      frame.Extent[3] - frame.Extent[2] + 1, 0, frame.Extent[5] - frame.Extent[4] };
-    const auto distance = static_cast<float>(this->SpacingAdjustedSampleDistance(spacing, extent));
-    return std::abs(this->SampleDistance / distance - 1.0f) > 0.001f ? distance
-                                                                     : this->SampleDistance;
-  }
-  return this->SampleDistance;
+  frame.GetStandInExtent(extent);
+  return vtkBCCPieceSampling::FindDistance(
+    this, spacing, volume->GetMatrix(), this->SpacingAdjustedSampleDistance(spacing, extent));
 }
 
 //------------------------------------------------------------------------------
@@ -288,38 +228,18 @@ bool vtkBCCVolumeMapper::CheckPiece(vtkVolume* volume, vtkImageData* image, std:
   if (vtkBCCLattice::GetPiece(image, whole, piece))
   {
     const vtkBCCVolumeFrame frame(image, whole);
-    this->FindReach(frame.LatticePerUnit, this->FindSampleDistance(frame, volume),
-      this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND, reach);
+    vtkBCCPieceSampling::FindReach(this, frame.LatticePerUnit,
+      this->FindSampleDistance(frame, volume), this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND,
+      reach);
   }
   return this->Impl->Input.SetReach(this->Kernel, this->Prefilter, reach, why);
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCVolumeMapper::CheckPatterns(std::string& why) const
-{
-  if (this->JitterPattern < NoJitter || this->JitterPattern > BayerJitter)
-  {
-    why = "JitterPattern is " + std::to_string(this->JitterPattern) +
-      "; it has to be 0 (None), 1 (VTK) or 2 (Bayer).";
-    return false;
-  }
-  const int size = this->ProgressivePatternSize;
-  if (size != 2 && size != 4 && size != 8)
-  {
-    why = "ProgressivePatternSize is " + std::to_string(size) + "; it has to be 2, 4 or 8.";
-    return false;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::string& why)
 {
-  if (!vtkBCCRenderChecks::Check(this, volume, why))
-  {
-    return false;
-  }
-  if (!this->CheckPatterns(why))
+  if (!vtkBCCRenderChecks::Check(this, volume, why) ||
+    !vtkBCCRenderChecks::CheckPatterns(this->JitterPattern, this->ProgressivePatternSize, why))
   {
     return false;
   }
@@ -403,7 +323,7 @@ bool vtkBCCVolumeMapper::IsShown(vtkRenderer* renderer) const
 bool vtkBCCVolumeMapper::IsTracedInPasses(vtkRenderer* renderer, vtkVolume* volume) const
 {
   return this->ProgressiveRefinement && this->IsShown(renderer) &&
-    this->ImageSampleDistance == 1.0f && !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
+    this->ImageSampleDistance == 1.0f && !vtkBCCShaderOptions::IsDepthTaken(volume);
 }
 
 //------------------------------------------------------------------------------
@@ -414,35 +334,19 @@ vtkBCCProgressiveFrame* vtkBCCVolumeMapper::StartPass(
   this->TimeToDraw = 0.0;
   this->ReductionFactor = 1.0;
 
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkBCCProgressiveFrame::Layout layout;
-  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, layout.Viewport.data());
-  layout.Log2BlockSize =
-    this->ProgressivePatternSize == 8 ? 3 : (this->ProgressivePatternSize == 4 ? 2 : 1);
-  layout.Depth = depth;
-  std::vector<double> state = vtkBCCPictureState::Get(renderer, volume, this);
-  state.push_back(static_cast<double>(this->GetCoefficientTime()));
-  vtkBCCProgressiveFrame* frame = this->Impl->Progress.GetFrame(renderer, volume);
-  frame->Prepare(window, layout, std::move(state));
-  return frame;
+  return this->Impl->Progress.StartPass(renderer, volume, this, depth);
 }
 
 //------------------------------------------------------------------------------
 void vtkBCCVolumeMapper::FinishPass(
   vtkRenderer* renderer, vtkVolume* volume, vtkBCCProgressiveFrame* frame)
 {
-  bool complete = true; // if VTK finds nothing to draw, too
-  if (frame && frame->IsTracing())
+  const auto drawBox = [&](vtkShaderProgram* program)
   {
-    frame->StopTracing();
-    frame->Show(
-      [&](vtkShaderProgram* program)
-      {
-        this->DoGPURender(renderer, vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera()),
-          program, vtkOpenGLShaderProperty::SafeDownCast(volume->GetShaderProperty()));
-      });
-    complete = frame->IsComplete();
-  }
+    this->DoGPURender(renderer, vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera()), program,
+      vtkOpenGLShaderProperty::SafeDownCast(volume->GetShaderProperty()));
+  };
+  const bool complete = !frame || frame->Finish(drawBox);
   if (!this->IsShown(renderer))
   {
     return;
@@ -477,24 +381,9 @@ void vtkBCCVolumeMapper::RenderPiece(vtkRenderer* renderer, vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+void vtkBCCVolumeMapper::ShowStandIn(vtkRenderer* renderer)
 {
-  if (!renderer || !volume)
-  {
-    this->Superclass::Render(renderer, volume); // reports it
-    return;
-  }
   Internals& impl = *this->Impl;
-  std::string why;
-  if (!this->Prepare(renderer, volume, why))
-  {
-    if (!why.empty())
-    {
-      this->ReportOnce(why);
-    }
-    return;
-  }
-
   // VTK takes its own copy of an input, unless there is one that is newer than the input.
   vtkDataSet*& shown = this->TransformedInputs[0];
   if (shown != impl.Input.StandIn)
@@ -514,42 +403,35 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   impl.HasLabels = labels;
   this->LastInputs[0] = this->GetDataSetInput();
+}
 
-  vtkVolumeProperty* property = volume->GetProperty();
-  vtkBCCVolumeShaderStage::Options options;
-  options.Kernel = static_cast<bravais::BCCKernel>(this->Kernel);
-  options.AnalyticGradients = this->AnalyticGradients;
-  options.RefineRoots = this->IsoSurfaceRefinement &&
-    this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
-    property->GetIsoSurfaceValues()->GetNumberOfContours() > 0;
-  options.WriteDepth = options.RefineRoots && !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
-  options.LightComplexity =
-    property->GetShade() ? vtkBCCRenderChecks::GetLightComplexity(renderer) : 0;
-  options.Mask = this->MaskInput ? this->MaskType : -1;
-  options.LatticeMask =
-    this->MaskInput && vtkBCCVolumeMask::IsLattice(this->MaskInput, impl.Input.GetHeldFrame());
-  options.UserHash = vtkBCCShaderCheck::GetHash(volume);
-  options.BayerJitter = this->JitterPattern == BayerJitter;
-  options.HalfFloats = this->HalfFloatCoefficients;
-  options.Buffer = vtkBCCCoefficientBuffer::IsBetter(
-    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), options.Kernel,
-    impl.Input.Texels);
-  options.PixelRays = !vtkBCCVolumeShaderStage::IsDepthTaken(volume);
-  options.Progressive = this->IsTracedInPasses(renderer, volume);
-  options.Components = impl.Input.Texels.Components;
-  options.Piece = impl.Input.Piece->IsPart;
-  // Where a ray without surfaces ends tells VTK what is picked.
-  if (this->EmptySpaceSkipping && (options.RefineRoots || !renderer->GetSelector()))
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (!renderer || !volume)
   {
-    options.SkipRule =
-      vtkBCCBrickTexture::FindRule(this, property, options.Components, options.RefineRoots);
+    this->Superclass::Render(renderer, volume); // reports it
+    return;
   }
-  const bool colors = options.Components == 4 && !property->GetIndependentComponents();
+  Internals& impl = *this->Impl;
+  std::string why;
+  if (!this->Prepare(renderer, volume, why))
+  {
+    if (!why.empty())
+    {
+      this->ReportOnce(why);
+    }
+    return;
+  }
+
+  this->ShowStandIn(renderer);
+  auto options = vtkBCCShaderOptions::Collect(this, renderer, volume, impl.Input);
+  options.BayerJitter = this->JitterPattern == BayerJitter;
+  options.Progressive = this->IsTracedInPasses(renderer, volume);
 
   const int scalarMode = this->ScalarMode;
   this->ScalarMode = VTK_SCALAR_MODE_DEFAULT; // The stand-in has one array.
-  impl.Stage->Begin(
-    renderer, volume, options, impl.Input, colors ? impl.Input.GetNormalizer() : 1.0f);
+  impl.Stage->Begin(renderer, volume, options, impl.Input);
   vtkBCCProgressiveFrame* frame =
     options.Progressive ? this->StartPass(renderer, volume, options.WriteDepth) : nullptr;
   impl.Stage->SetTarget(frame);

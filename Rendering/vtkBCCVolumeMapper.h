@@ -274,12 +274,10 @@ private:
 
   bool Prepare(vtkRenderer* renderer, vtkVolume* volume, std::string& why);
   void ReportOnce(const std::string& why);
-  bool CheckPatterns(std::string& why) const;
-  void FindReach(
-    const double latticePerUnit[3], double distance, bool surfaces, int reach[3]) const;
   float FindSampleDistance(const vtkBCCVolumeFrame& frame, vtkVolume* volume);
   bool CheckPiece(vtkVolume* volume, vtkImageData* image, std::string& why);
 
+  void ShowStandIn(vtkRenderer* renderer);
   void RenderPiece(vtkRenderer* renderer, vtkVolume* volume);
 
   bool IsShown(vtkRenderer* renderer) const;

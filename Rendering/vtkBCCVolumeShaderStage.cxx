@@ -11,10 +11,8 @@
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLActor.h"
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -27,8 +25,6 @@
 #include "vtkVolumeProperty.h"
 #include "vtkVolumeTexture.h"
 #include "vtk_glew.h"
-
-#include <tuple>
 
 vtkStandardNewMacro(vtkBCCVolumeShaderStage);
 
@@ -68,29 +64,8 @@ vtkBCCVolumeShaderStage::vtkBCCVolumeShaderStage() = default;
 vtkBCCVolumeShaderStage::~vtkBCCVolumeShaderStage() = default;
 
 //------------------------------------------------------------------------------
-bool vtkBCCVolumeShaderStage::Options::operator==(const Options& other) const
-{
-  const auto tie = [](const Options& o)
-  {
-    return std::tie(o.Kernel, o.AnalyticGradients, o.RefineRoots, o.WriteDepth, o.BayerJitter,
-      o.LightComplexity, o.Mask, o.LatticeMask, o.UserHash, o.SkipRule, o.HalfFloats, o.Buffer,
-      o.PixelRays, o.Progressive, o.Components, o.Piece);
-  };
-  return tie(*this) == tie(other);
-}
-
-//------------------------------------------------------------------------------
-bool vtkBCCVolumeShaderStage::IsDepthTaken(vtkVolume* volume)
-{
-  vtkInformation* keys = volume->GetPropertyKeys();
-  return keys &&
-    (keys->Has(vtkOpenGLRenderPass::RenderPasses()) ||
-      keys->Has(vtkOpenGLActor::GLDepthMaskOverride()));
-}
-
-//------------------------------------------------------------------------------
 void vtkBCCVolumeShaderStage::Begin(vtkRenderer* renderer, vtkVolume* volume,
-  const Options& options, vtkBCCVolumeInput& input, float normalizer)
+  const vtkBCCShaderOptions& options, vtkBCCVolumeInput& input)
 {
   if (!(options == this->Current))
   {
@@ -100,7 +75,8 @@ void vtkBCCVolumeShaderStage::Begin(vtkRenderer* renderer, vtkVolume* volume,
   this->Renderer = renderer;
   this->Volume = volume;
   this->Input = &input;
-  this->Normalizer = normalizer;
+  const bool colors = options.Components == 4 && !volume->GetProperty()->GetIndependentComponents();
+  this->Normalizer = colors ? input.GetNormalizer() : 1.0f;
   if (options.WriteDepth)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

@@ -18,10 +18,10 @@
 #ifndef vtkBCCVolumeShaderStage_h
 #define vtkBCCVolumeShaderStage_h
 
-#include "BCCKernel.h"
 #include "vtkBCCBrickTexture.h"
 #include "vtkBCCCoefficientBuffer.h"
 #include "vtkBCCShaderCheck.h"
+#include "vtkBCCShaderOptions.h"
 #include "vtkBravaisABINamespace.h"
 
 #include "vtkOpenGLRenderPass.h"
@@ -42,33 +42,9 @@ public:
   static vtkBCCVolumeShaderStage* New();
   vtkTypeMacro(vtkBCCVolumeShaderStage, vtkOpenGLRenderPass);
 
-  /// What decides the shader's text.
-  struct Options
-  {
-    bravais::BCCKernel Kernel = bravais::BCCKernel::BCC7;
-    bool AnalyticGradients = true;
-    bool RefineRoots = false; // isosurface blending only
-    bool WriteDepth = false;  // of refined roots
-    bool BayerJitter = false;
-    vtkBCCBrickTexture::Rule SkipRule = vtkBCCBrickTexture::Nothing;
-    bool PixelRays = true; // if not, as VTK interpolates them
-    bool Progressive = false;
-    bool Piece = false; // of a volume
-    // Of these VTK takes no notice by itself:
-    int LightComplexity = 0;
-    int Mask = -1; // its type, or -1
-    bool LatticeMask = false;
-    std::size_t UserHash = 0;
-    bool HalfFloats = false;
-    bool Buffer = false; // coefficients are in a buffer instead of a 3D texture
-    int Components = 1;
-    bool operator==(const Options& other) const;
-  };
-
-  /// Enters the property keys of the volume for one frame that shows this input. Stored
-  /// coefficients are multiplied by the normalizer: not 1 where VTK takes values for colours.
-  void Begin(vtkRenderer* renderer, vtkVolume* volume, const Options& options,
-    vtkBCCVolumeInput& input, float normalizer);
+  /// Enters the property keys of the volume for one frame that shows this input.
+  void Begin(vtkRenderer* renderer, vtkVolume* volume, const vtkBCCShaderOptions& options,
+    vtkBCCVolumeInput& input);
   /// If it is to be traced pass by pass: where to. Ends with End().
   void SetTarget(vtkBCCProgressiveFrame* target) { this->Target = target; }
   /// Leaves them.
@@ -76,9 +52,6 @@ public:
 
   /// What the driver has said of the shader in use, if that does not compile.
   const std::string& GetShaderLog() const { return this->Check.Log; }
-
-  /// Whether another pass, or who asked to keep OpenGL's state, decides on the depth buffer.
-  static bool IsDepthTaken(vtkVolume* volume);
 
   /// Bytes that the bricks take on the GPU.
   vtkIdType GetBrickMemory() const { return this->Bricks.GetSize(); }
@@ -106,13 +79,13 @@ private:
   bool FillTexture(vtkVolumeTexture* texture);
   void SetPieceUniforms(vtkShaderProgram* program);
 
-  Options Current;
+  vtkBCCShaderOptions Current;
   vtkRenderer* Renderer = nullptr;
   vtkVolume* Volume = nullptr;
   vtkBCCVolumeInput* Input = nullptr;
   vtkBCCBrickTexture Bricks;
   vtkBCCCoefficientBuffer Coefficients;
-  float Normalizer = 1.0f;
+  float Normalizer = 1.0f; // of stored coefficients, where VTK takes values for colours
   vtkBCCShaderCheck Check;
   vtkBCCProgressiveFrame* Target = nullptr;
 
