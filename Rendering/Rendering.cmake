@@ -21,6 +21,7 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCProgressiveFrame
   vtkBCCRenderChecks
   vtkBCCShaderCheck
+  vtkBCCShaderEdits
   vtkBCCShaderOptions
   vtkBCCVolumeFrame
   vtkBCCVolumeInput
@@ -44,11 +45,13 @@ set(BRAVAIS_SHADERS
   bccBricks
   bccCubicSpline
   bccDepthWatch
+  bccExit
   bccExtremum
   bccFindRoot
   bccFrame
   bccGrazing
   bccIsoSurfaceDec
+  bccIsoSurfaceDepth
   bccIsoSurfaceImpl
   bccIsoSurfaceInit
   bccIsoSurfaceNext
@@ -65,6 +68,7 @@ set(BRAVAIS_SHADERS
   bccPixelRay
   bccRay
   bccRayCast
+  bccRayInit
   bccShowFirst
   bccShowFirstPoints
   bccShowTraced

@@ -3,10 +3,10 @@
 #include "vtkBCCVolumeShaderStage.h"
 
 #include "vtkBCCProgressiveFrame.h"
+#include "vtkBCCShaderEdits.h"
 #include "vtkBCCVolumeInput.h"
 #include "vtkBCCVolumeMask.h"
 #include "vtkBCCVolumeRays.h"
-#include "vtkBCCVolumeShaderText.h"
 
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -16,7 +16,6 @@
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -27,25 +26,6 @@
 #include "vtk_glew.h"
 
 vtkStandardNewMacro(vtkBCCVolumeShaderStage);
-
-namespace
-{
-const char* const RayTag = "//Bravais::Ray::Dec";
-
-// Has VTK take the place of BCCFindPixelRay() for where the fragment is, and what it takes from
-// vertices.
-void ReplaceRay(std::string& fragment)
-{
-  using Program = vtkShaderProgram;
-  Program::Substitute(fragment, "in vec3 ip_textureCoords;", "vec3 ip_textureCoords;");
-  Program::Substitute(
-    fragment, "in vec3 ip_vertexPos;", "vec3 ip_vertexPos;\nvec4 g_bccFragCoord;");
-  Program::Substitute(
-    fragment, "in mat4 ip_inverseTextureDataAdjusted;", "mat4 ip_inverseTextureDataAdjusted;");
-  Program::Substitute(fragment, "gl_FragCoord", "g_bccFragCoord");
-  Program::Substitute(fragment, RayTag, vtkBCCVolumeShaderText::GetPixelRay());
-}
-}
 
 struct vtkBCCVolumeShaderStage::DepthState
 {
@@ -127,128 +107,11 @@ void vtkBCCVolumeShaderStage::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& geometry,
-  std::string& fragment, vtkAbstractMapper* abstractMapper, vtkProp*)
+bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
+  std::string&, std::string& geometry, std::string& fragment, vtkAbstractMapper* mapper, vtkProp*)
 {
-  using Text = vtkBCCVolumeShaderText;
-  auto* mapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(abstractMapper);
-  vtkVolumeProperty* property = this->Volume->GetProperty();
-  const auto after = [&](const std::string& tag, const std::string& text)
-  { vtkShaderProgram::Substitute(fragment, tag, tag + "\n" + text); };
-  const auto before = [&](const std::string& tag, const std::string& text)
-  { vtkShaderProgram::Substitute(fragment, tag, text + "\n" + tag); };
-  const auto instead = [&](const std::string& tag, const std::string& text)
-  { vtkShaderProgram::Substitute(fragment, tag, text); };
-
-  std::vector<std::string> macros;
-  const auto add = [&](bool condition, const char* macro)
-  {
-    if (condition)
-    {
-      macros.emplace_back(macro);
-    }
-  };
-  const bool binaryMask =
-    mapper->GetMaskInput() && mapper->GetMaskType() != vtkGPUVolumeRayCastMapper::LabelMapMaskType;
-  const bool manyIndependent = this->Current.Components > 1 && property->GetIndependentComponents();
-  // With clipped voxels of a given intensity the gradient is not the spline's.
-  const bool analytic = this->Current.AnalyticGradients &&
-    !(mapper->GetClippingPlanes() && property->GetUseClippedVoxelIntensity());
-  add(analytic, "BCC_ANALYTIC_GRADIENTS");
-  add((property->HasGradientOpacity() || property->HasLabelGradientOpacity()) &&
-      !property->GetDisableGradientOpacity(),
-    "BCC_GRADIENT_OPACITY");
-  add(mapper->GetCropping(), "BCC_CROPPING");
-  add(binaryMask, "BCC_BINARY_MASK");
-  add(manyIndependent, "BCC_INDEPENDENT");
-  add(mapper->GetRenderToImage(), "BCC_RENDER_TO_IMAGE");
-  // Where VTK looks up a sample's value before its gradient, which has the same coefficients. bcc12
-  // has its own fetches for each.
-  const int blend = mapper->GetBlendMode();
-  add(analytic && this->Current.Kernel != bravais::BCCKernel::BCC12 && !this->Current.RefineRoots &&
-      property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
-      (blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::SLICE_BLEND ||
-        blend == vtkVolumeMapper::ISOSURFACE_BLEND),
-    "BCC_SHARED_GRADIENTS");
-  add(this->Current.Piece, "BCC_PIECE");
-  const bool slice = blend == vtkVolumeMapper::SLICE_BLEND;
-  add(slice, "BCC_SLICE");
-  add(blend == vtkVolumeMapper::ISOSURFACE_BLEND, "BCC_ISOSURFACE");
-  const vtkBCCBrickTexture::Rule rule = this->Current.SkipRule;
-  const bool skip = rule != vtkBCCBrickTexture::Nothing;
-  const bool extremum = rule == vtkBCCBrickTexture::Maximum || rule == vtkBCCBrickTexture::Minimum;
-  add(skip && !extremum, "BCC_SKIP_DISTANCE");
-  add(extremum, "BCC_SKIP_EXTREMUM");
-  add(rule == vtkBCCBrickTexture::Minimum, "BCC_SKIP_MINIMUM");
-
-  if (this->Current.PixelRays)
-  {
-    before("//VTK::Picking::Dec", RayTag);
-    before("//VTK::Base::Init", "  BCCFindPixelRay();");
-  }
-  if (this->Current.Progressive)
-  {
-    geometry = Text::GetSmallPicture();
-  }
-
-  const std::string declarations = Text::GetSpline(this->Current.Kernel, this->Current.Components,
-                                     this->Current.Buffer ? "" : "in_volume[0]") +
-    Text::GetRayCast(macros) + (this->Current.Piece ? Text::GetPiece() : std::string()) +
-    (skip ? Text::GetSkipping(extremum) : std::string());
-  if (mapper->GetMaskInput())
-  {
-    after("//VTK::BinaryMask::Dec", Text::GetMask(this->Current.LatticeMask));
-  }
-  if (this->Renderer->GetSelector())
-  {
-    after("//VTK::Picking::Dec", Text::GetPicking(this->Current.LatticeMask));
-  }
-  if (this->Current.RefineRoots)
-  {
-    after("//VTK::RenderToImage::Dec", Text::GetIsoSurfaceDeclarations() + Text::GetFindRoot());
-    instead("//VTK::Shading::Impl", Text::GetIsoSurfaceImplementation());
-    instead("//VTK::Terminate::Impl", Text::GetIsoSurfaceTermination());
-    after("//VTK::Shading::Init", Text::GetIsoSurfaceInit());
-    after("//VTK::Terminate::Init", "  g_bccDepth = l_depthValue.x;\n  g_bccDepthTaken = false;");
-  }
-  else
-  {
-    // All samples count where nothing cuts the volume.
-    const bool ahead = extremum && !this->Current.Piece && !mapper->GetMaskInput() &&
-      !mapper->GetCropping() &&
-      !(mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0);
-    after("//VTK::Shading::Init",
-      std::string("  BCCStartRay();\n") + (skip ? "  BCCStartSkipping();\n" : "") +
-        (this->Current.Piece ? Text::GetPieceInit() : std::string()) +
-        (ahead ? "  BCCLookAhead();\n" : ""));
-    // The later one comes first.
-    if (this->Current.Piece)
-    {
-      after("//VTK::Base::Impl", Text::GetPieceImplementation());
-    }
-    if (skip)
-    {
-      after("//VTK::Base::Impl", Text::GetSkippingImplementation());
-    }
-  }
-  if (this->Current.WriteDepth)
-  {
-    after("//VTK::Base::Exit", "  gl_FragDepth = g_bccDepth;");
-  }
-  if (this->Current.Progressive)
-  {
-    const std::string depth = this->Current.WriteDepth ? "g_bccDepth" : "g_bccFragCoord.z";
-    after("//VTK::Base::Exit", "  gl_FragData[1] = vec4(" + depth + ");");
-  }
-  const std::string gradientTag = "//VTK::ComputeGradient::Dec";
-  if (analytic)
-  {
-    instead(gradientTag, declarations);
-  }
-  else
-  {
-    before(gradientTag, declarations);
-  }
+  vtkBCCShaderEdits::EditBefore(this->Current, vtkGPUVolumeRayCastMapper::SafeDownCast(mapper),
+    this->Volume->GetProperty(), this->Renderer->GetSelector() != nullptr, geometry, fragment);
   return true;
 }
 
@@ -256,39 +119,9 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(std::string&, std::string& 
 bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
   std::string& vertex, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp*)
 {
-  const bool values = vtkShaderProgram::Substitute(
-    fragment, "texture3D(in_volume[0], g_dataPos)", "BCCLookUp(g_dataPos)");
-  // The statement stays, for replacements of the user's.
-  const std::string step = "g_dataPos += g_dirStep;";
-  vtkShaderProgram::Substitute(fragment, step, step + " BCCAdvance(1.0);");
-  // The differences that VTK takes where gradients are not analytic.
-  vtkShaderProgram::Substitute(fragment, "texture3D(volume, vec3(", "BCCLookUp(vec3(");
-  vtkShaderProgram::Substitute(
-    fragment, "uvec3(in_textureExtentsMax - in_textureExtentsMin)", "BCCPickedCounts()");
-  // VTK counts from 1, as its selector once did.
-  vtkShaderProgram::Substitute(fragment, "voxelCoords.x + uint(1)", "voxelCoords.x");
-  vtkShaderProgram::Substitute(fragment, "uvec3(volumeDim * g_dataPos)",
-    this->Current.RefineRoots ? "BCCPicked(g_bccSurface)" : "BCCPicked(g_dataPos)");
-  if (fragment.find("vec3 BCCToEye(") != std::string::npos)
-  {
-    for (const std::string gradient : { "normal", "gradient.xyz" })
-    {
-      vtkShaderProgram::Substitute(fragment,
-        "(in_textureToEye[0] * vec4(" + gradient + ", 0.0)).xyz", "BCCToEye(" + gradient + ")");
-    }
-  }
-  vtkShaderProgram::Substitute(fragment, "texture3D(in_mask, g_dataPos)", "BCCMask(g_dataPos)");
-  if (this->Current.BayerJitter)
-  {
-    vtkShaderProgram::Substitute(
-      fragment, vtkBCCVolumeShaderText::JitterStatement, vtkBCCVolumeShaderText::GetBayerJitter());
-  }
-  if (this->Current.PixelRays)
-  {
-    ReplaceRay(fragment);
-  }
+  const bool found = vtkBCCShaderEdits::EditAfter(this->Current, fragment);
   this->Check.Check(this->Volume, vertex, fragment);
-  return values || this->Current.RefineRoots;
+  return found;
 }
 
 //------------------------------------------------------------------------------

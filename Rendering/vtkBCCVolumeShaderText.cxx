@@ -9,11 +9,13 @@
 #include "bccBoxSpline_glsl.h"
 #include "bccBricks_glsl.h"
 #include "bccCubicSpline_glsl.h"
+#include "bccExit_glsl.h"
 #include "bccExtremum_glsl.h"
 #include "bccFindRoot_glsl.h"
 #include "bccFrame_glsl.h"
 #include "bccGrazing_glsl.h"
 #include "bccIsoSurfaceDec_glsl.h"
+#include "bccIsoSurfaceDepth_glsl.h"
 #include "bccIsoSurfaceImpl_glsl.h"
 #include "bccIsoSurfaceInit_glsl.h"
 #include "bccIsoSurfaceNext_glsl.h"
@@ -27,6 +29,7 @@
 #include "bccPiece_glsl.h"
 #include "bccPixelRay_glsl.h"
 #include "bccRayCast_glsl.h"
+#include "bccRayInit_glsl.h"
 #include "bccRay_glsl.h"
 #include "bccSkipImpl_glsl.h"
 #include "bccSkip_glsl.h"
@@ -117,6 +120,18 @@ std::string vtkBCCVolumeShaderText::GetPieceImplementation()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetRayInit()
+{
+  return bccRayInit_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetExit()
+{
+  return bccExit_glsl;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkBCCVolumeShaderText::GetPixelRay()
 {
   return bccPixelRay_glsl;
@@ -160,6 +175,12 @@ std::string vtkBCCVolumeShaderText::GetFindRoot()
 std::string vtkBCCVolumeShaderText::GetIsoSurfaceDeclarations()
 {
   return std::string(bccIsoSurfaceDec_glsl) + bccIsoSurfaceNext_glsl + bccGrazing_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetIsoSurfaceDepth()
+{
+  return bccIsoSurfaceDepth_glsl;
 }
 
 //------------------------------------------------------------------------------

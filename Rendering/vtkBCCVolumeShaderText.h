@@ -31,6 +31,11 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   /// bccRay.glsl.
   static std::string GetRayCast(const std::vector<std::string>& macros);
 
+  /// The text that starts a ray's samples, unless isosurfaces are refined, and what is written out
+  /// beside its colour.
+  static std::string GetRayInit();
+  static std::string GetExit();
+
   /// BCCFindPixelRay(), which finds a pixel's ray without VTK's box.
   static std::string GetPixelRay();
 
@@ -64,6 +69,7 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
 
   /// Isosurfaces at refined roots: the texts that go to VTK's tags.
   static std::string GetIsoSurfaceDeclarations();
+  static std::string GetIsoSurfaceDepth();
   static std::string GetIsoSurfaceInit();
   static std::string GetIsoSurfaceImplementation();
   static std::string GetIsoSurfaceTermination();

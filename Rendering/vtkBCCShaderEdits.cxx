@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) The Bravais authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBCCShaderEdits.h"
+
+#include "vtkBCCShaderOptions.h"
+#include "vtkBCCVolumeShaderText.h"
+
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkPlaneCollection.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolumeProperty.h"
+
+#include <vector>
+
+namespace
+{
+const char* const RayTag = "//Bravais::Ray::Dec";
+
+// Has VTK take the place of BCCFindPixelRay() for where the fragment is, and what it takes from
+// vertices.
+void ReplaceRay(std::string& fragment)
+{
+  using Program = vtkShaderProgram;
+  Program::Substitute(fragment, "in vec3 ip_textureCoords;", "vec3 ip_textureCoords;");
+  Program::Substitute(
+    fragment, "in vec3 ip_vertexPos;", "vec3 ip_vertexPos;\nvec4 g_bccFragCoord;");
+  Program::Substitute(
+    fragment, "in mat4 ip_inverseTextureDataAdjusted;", "mat4 ip_inverseTextureDataAdjusted;");
+  Program::Substitute(fragment, "gl_FragCoord", "g_bccFragCoord");
+  Program::Substitute(fragment, RayTag, vtkBCCVolumeShaderText::GetPixelRay());
+}
+
+bool IsAnalytic(const vtkBCCShaderOptions& options, vtkGPUVolumeRayCastMapper* mapper,
+  vtkVolumeProperty* property)
+{
+  // With clipped voxels of a given intensity the gradient is not the spline's.
+  return options.AnalyticGradients &&
+    !(mapper->GetClippingPlanes() && property->GetUseClippedVoxelIntensity());
+}
+
+bool IsExtremum(vtkBCCBrickTexture::Rule rule)
+{
+  return rule == vtkBCCBrickTexture::Maximum || rule == vtkBCCBrickTexture::Minimum;
+}
+
+// What is defined for the files of GLSL/.
+std::vector<std::string> GetMacros(const vtkBCCShaderOptions& options,
+  vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property)
+{
+  std::vector<std::string> macros;
+  const auto add = [&](bool condition, const char* macro)
+  {
+    if (condition)
+    {
+      macros.emplace_back(macro);
+    }
+  };
+  const bool binaryMask =
+    mapper->GetMaskInput() && mapper->GetMaskType() != vtkGPUVolumeRayCastMapper::LabelMapMaskType;
+  const bool manyIndependent = options.Components > 1 && property->GetIndependentComponents();
+  const bool analytic = IsAnalytic(options, mapper, property);
+  add(analytic, "BCC_ANALYTIC_GRADIENTS");
+  add((property->HasGradientOpacity() || property->HasLabelGradientOpacity()) &&
+      !property->GetDisableGradientOpacity(),
+    "BCC_GRADIENT_OPACITY");
+  add(mapper->GetCropping(), "BCC_CROPPING");
+  add(binaryMask, "BCC_BINARY_MASK");
+  add(manyIndependent, "BCC_INDEPENDENT");
+  add(mapper->GetRenderToImage(), "BCC_RENDER_TO_IMAGE");
+  // Where VTK looks up a sample's value before its gradient, which has the same coefficients. bcc12
+  // has its own fetches for each.
+  const int blend = mapper->GetBlendMode();
+  add(analytic && options.Kernel != bravais::BCCKernel::BCC12 && !options.RefineRoots &&
+      property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
+      (blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::SLICE_BLEND ||
+        blend == vtkVolumeMapper::ISOSURFACE_BLEND),
+    "BCC_SHARED_GRADIENTS");
+  add(options.Piece, "BCC_PIECE");
+  add(blend == vtkVolumeMapper::SLICE_BLEND, "BCC_SLICE");
+  add(blend == vtkVolumeMapper::ISOSURFACE_BLEND, "BCC_ISOSURFACE");
+  const vtkBCCBrickTexture::Rule rule = options.SkipRule;
+  const bool extremum = IsExtremum(rule);
+  add(rule != vtkBCCBrickTexture::Nothing && !extremum, "BCC_SKIP_DISTANCE");
+  add(extremum, "BCC_SKIP_EXTREMUM");
+  add(rule == vtkBCCBrickTexture::Minimum, "BCC_SKIP_MINIMUM");
+  // All samples count where nothing cuts the volume.
+  add(extremum && !options.Piece && !mapper->GetMaskInput() && !mapper->GetCropping() &&
+      !(mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0),
+    "BCC_LOOK_AHEAD");
+  add(options.WriteDepth, "BCC_WRITE_DEPTH");
+  add(options.Progressive, "BCC_PROGRESSIVE");
+  return macros;
+}
+
+void PutAfter(std::string& fragment, const std::string& tag, const std::string& text)
+{
+  vtkShaderProgram::Substitute(fragment, tag, tag + "\n" + text);
+}
+
+void PutBefore(std::string& fragment, const std::string& tag, const std::string& text)
+{
+  vtkShaderProgram::Substitute(fragment, tag, text + "\n" + tag);
+}
+
+// What is done for each ray and sample.
+void EditRays(const vtkBCCShaderOptions& options, std::string& fragment)
+{
+  using Text = vtkBCCVolumeShaderText;
+  PutAfter(fragment, "//VTK::Base::Exit", Text::GetExit());
+  if (options.RefineRoots)
+  {
+    PutAfter(fragment, "//VTK::RenderToImage::Dec",
+      Text::GetIsoSurfaceDeclarations() + Text::GetFindRoot());
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::Shading::Impl", Text::GetIsoSurfaceImplementation());
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::Terminate::Impl", Text::GetIsoSurfaceTermination());
+    PutAfter(fragment, "//VTK::Shading::Init", Text::GetIsoSurfaceInit());
+    PutAfter(fragment, "//VTK::Terminate::Init", Text::GetIsoSurfaceDepth());
+    return;
+  }
+  PutAfter(fragment, "//VTK::Shading::Init",
+    Text::GetRayInit() + (options.Piece ? Text::GetPieceInit() : std::string()));
+  // The later one comes first.
+  if (options.Piece)
+  {
+    PutAfter(fragment, "//VTK::Base::Impl", Text::GetPieceImplementation());
+  }
+  if (options.SkipRule != vtkBCCBrickTexture::Nothing)
+  {
+    PutAfter(fragment, "//VTK::Base::Impl", Text::GetSkippingImplementation());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCShaderEdits::EditBefore(const vtkBCCShaderOptions& options,
+  vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property, bool picking,
+  std::string& geometry, std::string& fragment)
+{
+  using Text = vtkBCCVolumeShaderText;
+  if (options.PixelRays)
+  {
+    PutBefore(fragment, "//VTK::Picking::Dec", RayTag);
+    PutBefore(fragment, "//VTK::Base::Init", "  BCCFindPixelRay();");
+  }
+  if (options.Progressive)
+  {
+    geometry = Text::GetSmallPicture();
+  }
+  if (mapper->GetMaskInput())
+  {
+    PutAfter(fragment, "//VTK::BinaryMask::Dec", Text::GetMask(options.LatticeMask));
+  }
+  if (picking)
+  {
+    PutAfter(fragment, "//VTK::Picking::Dec", Text::GetPicking(options.LatticeMask));
+  }
+  EditRays(options, fragment);
+  std::string declarations =
+    Text::GetSpline(options.Kernel, options.Components, options.Buffer ? "" : "in_volume[0]") +
+    Text::GetRayCast(GetMacros(options, mapper, property));
+  if (options.Piece)
+  {
+    declarations += Text::GetPiece();
+  }
+  if (options.SkipRule != vtkBCCBrickTexture::Nothing)
+  {
+    declarations += Text::GetSkipping(IsExtremum(options.SkipRule));
+  }
+  const std::string tag = "//VTK::ComputeGradient::Dec";
+  const bool alone = IsAnalytic(options, mapper, property); // without VTK's differences
+  vtkShaderProgram::Substitute(fragment, tag, alone ? declarations : declarations + "\n" + tag);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCShaderEdits::EditAfter(const vtkBCCShaderOptions& options, std::string& fragment)
+{
+  const bool values = vtkShaderProgram::Substitute(
+    fragment, "texture3D(in_volume[0], g_dataPos)", "BCCLookUp(g_dataPos)");
+  // The statement stays, for replacements of the user's.
+  const std::string step = "g_dataPos += g_dirStep;";
+  vtkShaderProgram::Substitute(fragment, step, step + " BCCAdvance(1.0);");
+  // The differences that VTK takes where gradients are not analytic.
+  vtkShaderProgram::Substitute(fragment, "texture3D(volume, vec3(", "BCCLookUp(vec3(");
+  vtkShaderProgram::Substitute(
+    fragment, "uvec3(in_textureExtentsMax - in_textureExtentsMin)", "BCCPickedCounts()");
+  // VTK counts from 1, as its selector once did.
+  vtkShaderProgram::Substitute(fragment, "voxelCoords.x + uint(1)", "voxelCoords.x");
+  vtkShaderProgram::Substitute(fragment, "uvec3(volumeDim * g_dataPos)",
+    options.RefineRoots ? "BCCPicked(g_bccSurface)" : "BCCPicked(g_dataPos)");
+  if (fragment.find("vec3 BCCToEye(") != std::string::npos)
+  {
+    for (const std::string gradient : { "normal", "gradient.xyz" })
+    {
+      vtkShaderProgram::Substitute(fragment,
+        "(in_textureToEye[0] * vec4(" + gradient + ", 0.0)).xyz", "BCCToEye(" + gradient + ")");
+    }
+  }
+  vtkShaderProgram::Substitute(fragment, "texture3D(in_mask, g_dataPos)", "BCCMask(g_dataPos)");
+  if (options.BayerJitter)
+  {
+    vtkShaderProgram::Substitute(
+      fragment, vtkBCCVolumeShaderText::JitterStatement, vtkBCCVolumeShaderText::GetBayerJitter());
+  }
+  if (options.PixelRays)
+  {
+    ReplaceRay(fragment);
+  }
+  return values || options.RefineRoots;
+}
