@@ -114,7 +114,8 @@ vtkBCCBrickTexture::Rule vtkBCCBrickTexture::FindRule(
     case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
       return independent ? Maximum : Nothing;
     case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
-      return independent ? Minimum : Nothing;
+      // VTK keeps the largest of each, if there are several.
+      return components == 1 ? Minimum : Nothing;
     default:
       return Nothing;
   }

@@ -121,8 +121,9 @@ public:
    * 0 (composite and additive blending) or no isovalue is met, and at what distance the next brick
    * is that matters; maximum and minimum intensity compare them with what the ray has found, or
    * with what it will find where they promise most.
-   * Nothing is left out in average and slice blending, with label maps, or with dependent
-   * components but the last one's opacity. On the GPU it takes one byte a brick.
+   * Nothing is left out in average and slice blending, with label maps, in minimum intensity of
+   * several components, or with dependent components but the last one's opacity. On the GPU it
+   * takes one byte a brick.
    */
   vtkSetMacro(EmptySpaceSkipping, bool);
   vtkGetMacro(EmptySpaceSkipping, bool);

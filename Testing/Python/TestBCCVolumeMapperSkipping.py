@@ -180,7 +180,7 @@ class TestBCCVolumeMapperSkipping(unittest.TestCase):
         self.compare(scene, "2D")
 
     def test_components(self):
-        for count, modes in ((2, ("Composite",)), (2, ("MaximumIntensity",)),
+        for count, modes in ((2, ("Composite",)), (2, ("MaximumIntensity", "MinimumIntensity")),
                              (3, ("MaximumIntensity",)), (4, ("Composite",)),
                              (4, ("MaximumIntensity",))):
             for independent in (True, False) if modes == ("Composite",) else (True,):
