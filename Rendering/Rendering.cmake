@@ -43,7 +43,9 @@ set(BRAVAIS_SHADERS
   bcc8Polynomial
   bccBoxSpline
   bccBricks
+  bccCubicRows
   bccCubicSpline
+  bccCubicWeights
   bccDepthWatch
   bccExit
   bccExtremum

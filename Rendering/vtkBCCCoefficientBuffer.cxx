@@ -36,19 +36,18 @@ bool IsSoftware()
 
 //------------------------------------------------------------------------------
 bool vtkBCCCoefficientBuffer::IsBetter(
-  vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel, const vtkBCCCoefficientTexels& texels)
+  vtkOpenGLRenderWindow* window, const vtkBCCCoefficientTexels& texels)
 {
   int most = 0;
   window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   const std::size_t count = texels.Values.size() / texels.Components;
   // There are no buffers of three half floats.
-  return kernel != bravais::BCCKernel::BCC12 && texels.Components != 3 &&
-    count <= static_cast<std::size_t>(most) && IsSoftware();
+  return texels.Components != 3 && count <= static_cast<std::size_t>(most) && IsSoftware();
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCCoefficientBuffer::Fill(
-  vtkOpenGLRenderWindow* window, const vtkBCCCoefficientTexels& texels, bool halfFloats)
+bool vtkBCCCoefficientBuffer::Fill(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
+  const vtkBCCCoefficientTexels& texels, bool halfFloats)
 {
   static const GLenum formats[2][4] = { { GL_R32F, GL_RG32F, 0, GL_RGBA32F },
     { GL_R16F, GL_RG16F, 0, GL_RGBA16F } };
@@ -66,11 +65,13 @@ bool vtkBCCCoefficientBuffer::Fill(
   {
     filled = this->Buffer->Upload(values, type);
   }
+  const int channels =
+    kernel == bravais::BCCKernel::BCC12 && texels.Components == 1 ? 4 : texels.Components;
   this->Texture->SetContext(window);
-  this->Texture->SetInternalFormat(formats[halfFloats][texels.Components - 1]);
+  this->Texture->SetInternalFormat(formats[halfFloats][channels - 1]);
   return filled &&
-    this->Texture->CreateTextureBuffer(static_cast<unsigned int>(values.size() / texels.Components),
-      texels.Components, VTK_FLOAT, this->Buffer);
+    this->Texture->CreateTextureBuffer(
+      static_cast<unsigned int>(values.size() / channels), channels, VTK_FLOAT, this->Buffer);
 }
 
 //------------------------------------------------------------------------------

@@ -33,13 +33,13 @@ public:
   vtkBCCCoefficientBuffer();
   ~vtkBCCCoefficientBuffer();
 
-  /// Whether a buffer can take the place of the 3D texture, and serves better: for kernels that do
-  /// not filter, where a processor draws. Graphics processors keep neighbours in 3D together.
-  static bool IsBetter(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
-    const vtkBCCCoefficientTexels& texels);
+  /// Whether a buffer can take the place of the 3D texture, and serves better: where a processor
+  /// draws. Graphics processors keep neighbours in 3D together, and filter fetches at no cost.
+  static bool IsBetter(vtkOpenGLRenderWindow* window, const vtkBCCCoefficientTexels& texels);
 
-  /// Uploads the texels, as half floats if so asked.
-  bool Fill(vtkOpenGLRenderWindow* window, const vtkBCCCoefficientTexels& texels, bool halfFloats);
+  /// Uploads the texels, as half floats if so asked. For bcc12 of one component a fetch takes four.
+  bool Fill(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
+    const vtkBCCCoefficientTexels& texels, bool halfFloats);
   /// Sets the program's sampler in_bccCoefficients and how its texels are numbered.
   void Activate(vtkShaderProgram* program, const vtkBCCCoefficientTexels& texels);
   void Deactivate();

@@ -48,7 +48,9 @@ public:
 
   glm::ivec3 Size = glm::ivec3(0);
   int Components = 0;
-  std::vector<float> Values; // x fastest, components interleaved
+  /// x fastest, components interleaved. In the end zeros: four values from any one on are in two
+  /// groups of four.
+  std::vector<float> Values;
 
 private:
   float* GetTexel(int i, int j, int slice);

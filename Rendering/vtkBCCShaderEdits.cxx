@@ -69,7 +69,7 @@ std::vector<std::string> GetMacros(const vtkBCCShaderOptions& options,
   add(manyIndependent, "BCC_INDEPENDENT");
   add(mapper->GetRenderToImage(), "BCC_RENDER_TO_IMAGE");
   // Where VTK looks up a sample's value before its gradient, which has the same coefficients. bcc12
-  // has its own fetches for each.
+  // has its own fetches for each, or the compiler finds those that are the same.
   const int blend = mapper->GetBlendMode();
   add(analytic && options.Kernel != bravais::BCCKernel::BCC12 && !options.RefineRoots &&
       property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&

@@ -64,7 +64,7 @@ vtkBCCShaderOptions vtkBCCShaderOptions::Collect(
   options.UserHash = vtkBCCShaderCheck::GetHash(volume);
   options.HalfFloats = mapper->GetHalfFloatCoefficients();
   options.Buffer = vtkBCCCoefficientBuffer::IsBetter(
-    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), options.Kernel, input.Texels);
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), input.Texels);
   options.PixelRays = !IsDepthTaken(volume);
   options.Components = input.Texels.Components;
   options.Piece = input.Piece->IsPart;

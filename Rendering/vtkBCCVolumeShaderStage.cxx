@@ -136,8 +136,8 @@ bool vtkBCCVolumeShaderStage::FillTexture(vtkVolumeTexture* texture)
     if (this->Current.Buffer)
     {
       filled = this->Coefficients.Fill(
-        vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow()), texels,
-        this->Current.HalfFloats);
+        vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow()),
+        this->Current.Kernel, texels, this->Current.HalfFloats);
       size = glm::ivec3(1); // of what VTK binds
     }
     else

@@ -8,7 +8,9 @@
 #include "bcc8Polynomial_glsl.h"
 #include "bccBoxSpline_glsl.h"
 #include "bccBricks_glsl.h"
+#include "bccCubicRows_glsl.h"
 #include "bccCubicSpline_glsl.h"
+#include "bccCubicWeights_glsl.h"
 #include "bccExit_glsl.h"
 #include "bccExtremum_glsl.h"
 #include "bccFindRoot_glsl.h"
@@ -57,8 +59,8 @@ std::string vtkBCCVolumeShaderText::GetSpline(
   bravais::BCCKernel kernel, int components, const std::string& volume)
 {
   const std::string count = std::to_string(components);
-  const std::string text =
-    (volume.empty() ? Define("BCC_BUFFER", "1") : Define("BCC_VOLUME", volume)) +
+  const bool buffer = volume.empty();
+  const std::string text = (buffer ? Define("BCC_BUFFER", "1") : Define("BCC_VOLUME", volume)) +
     Define("BCC_COMPONENTS", count) +
     Define("BCC_VALUE", components == 1 ? "float" : "vec" + count) +
     Define("BCC_CHANNELS", std::string("rgba").substr(0, components)) + bccVolume_glsl;
@@ -71,7 +73,8 @@ std::string vtkBCCVolumeShaderText::GetSpline(
     case bravais::BCCKernel::BCC8:
       return text + GetBoxSpline(bcc8Polynomial_glsl, "BCC8", 32);
     case bravais::BCCKernel::BCC12:
-      return text + bccCubicSpline_glsl;
+      return (buffer && components == 1 ? Define("BCC_FOURS", "1") : std::string()) + text +
+        bccCubicWeights_glsl + (buffer ? bccCubicRows_glsl : bccCubicSpline_glsl);
   }
   return {};
 }

@@ -4,21 +4,6 @@
 // The spline of bcc12: half the sum of the tri-cubic B-splines on the two cosets, each from eight
 // linearly filtered fetches (Sigg and Hadwiger, Fast Third-Order Texture Filtering).
 
-// Weights of the uniform cubic B-spline for the coefficients at -1, 0, 1, 2, at 0 <= t <= 1.
-vec4 CubicWeights(float t)
-{
-  float s = 1.0 - t;
-  return vec4(s * s * s, 4.0 + t * t * (3.0 * t - 6.0), 4.0 + s * s * (3.0 * s - 6.0), t * t * t) /
-    6.0;
-}
-
-// The derivatives of CubicWeights.
-vec4 CubicDerivativeWeights(float t)
-{
-  float s = 1.0 - t;
-  return 0.5 * vec4(-s * s, t * (3.0 * t - 4.0), -(s * (3.0 * s - 4.0)), t * t);
-}
-
 // Two neighbours' weighted sum is one filtered fetch between them times the sum of their weights,
 // which have one sign in all pairs here: (both sums, both places, in texels from the sample below).
 vec4 CubicPairs(vec4 w)
