@@ -43,9 +43,7 @@ void vtkBCCCoefficientTexels::Pack(const vtkBCCVolumeFrame& frame, vtkDataArray*
 {
   this->Size = GetSize(frame);
   this->Components = coefficients->GetNumberOfComponents();
-  const std::size_t count =
-    static_cast<std::size_t>(this->Size.x) * this->Size.y * this->Size.z * this->Components;
-  this->Values.resize((count + 3) / 4 * 4 + 4);
+  this->Values.resize(static_cast<std::size_t>(this->GetCount() + 3) / 4 * 4 + 4);
   const void* values = coefficients->GetVoidPointer(0);
   const bool doubles = coefficients->GetDataType() == VTK_DOUBLE;
   vtkSMPTools::For(static_cast<vtkIdType>(frame.Low[2]), static_cast<vtkIdType>(frame.High[2]) + 1,

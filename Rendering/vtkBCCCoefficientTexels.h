@@ -46,10 +46,16 @@ public:
   /// infinity where a finite value is too large.
   std::vector<double> RoundToHalf();
 
+  /// Number of values, without those in the end that do not count.
+  std::int64_t GetCount() const
+  {
+    return std::int64_t{ this->Size.x } * this->Size.y * this->Size.z * this->Components;
+  }
+
   glm::ivec3 Size = glm::ivec3(0);
   int Components = 0;
-  /// x fastest, components interleaved. In the end zeros: four values from any one on are in two
-  /// groups of four.
+  /// x fastest, components interleaved. Some more in the end that do not count: four
+  /// values from any one on are in two groups of four.
   std::vector<float> Values;
 
 private:

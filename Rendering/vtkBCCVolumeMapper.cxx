@@ -180,7 +180,7 @@ void vtkBCCVolumeMapper::SetMaxMemoryInBytes(vtkIdType bytes)
 vtkIdType vtkBCCVolumeMapper::GetCoefficientMemory() const
 {
   const vtkBCCCoefficientTexels& texels = this->Impl->Input.Texels;
-  return static_cast<vtkIdType>(texels.Values.size()) * (this->HalfFloatCoefficients ? 2 : 4);
+  return texels.GetCount() * (this->HalfFloatCoefficients ? 2 : 4);
 }
 
 //------------------------------------------------------------------------------
