@@ -23,6 +23,12 @@ vtkBCCCoefficientBuffer::~vtkBCCCoefficientBuffer() = default;
 namespace
 {
 
+// How many cosets' texels take turns: both, or one for bcc12, whose rows are fetched as they lie.
+int GetTurns(bravais::BCCKernel kernel)
+{
+  return kernel == bravais::BCCKernel::BCC12 ? 1 : 2;
+}
+
 // Whether OpenGL is computed by the processor.
 bool IsSoftware()
 {
@@ -30,6 +36,32 @@ bool IsSoftware()
   const std::string renderer = name ? name : "";
   return renderer.find("llvmpipe") != std::string::npos ||
     renderer.find("softpipe") != std::string::npos;
+}
+
+// Uploads the texels a slice of each coset in turn, so that no second copy of all is made.
+template <class T, class Convert>
+void UploadTexels(const vtkBCCCoefficientTexels& texels, int turns, Convert convert)
+{
+  const auto slice = static_cast<std::size_t>(texels.Size.x) * texels.Size.y * texels.Components;
+  const int blocks = texels.Size.z / turns;
+  std::vector<T> block(turns * slice);
+  const auto bytes = static_cast<GLsizeiptr>(sizeof(T) * block.size());
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(sizeof(T) * texels.Values.size()),
+    nullptr, GL_STATIC_DRAW);
+  for (int b = 0; b < blocks; ++b)
+  {
+    for (int coset = 0; coset < turns; ++coset)
+    {
+      const float* from =
+        texels.Values.data() + (b + static_cast<std::size_t>(coset) * blocks) * slice;
+      T* to = block.data() + coset * texels.Components;
+      for (std::size_t n = 0; n < slice; n += texels.Components, to += turns * texels.Components)
+      {
+        std::transform(from + n, from + n + texels.Components, to, convert);
+      }
+    }
+    glBufferSubData(GL_TEXTURE_BUFFER, b * bytes, bytes, block.data());
+  }
 }
 
 } // namespace
@@ -51,37 +83,38 @@ bool vtkBCCCoefficientBuffer::Fill(vtkOpenGLRenderWindow* window, bravais::BCCKe
 {
   static const GLenum formats[2][4] = { { GL_R32F, GL_RG32F, 0, GL_RGBA32F },
     { GL_R16F, GL_RG16F, 0, GL_RGBA16F } };
-  const auto type = vtkOpenGLBufferObject::TextureBuffer;
-  const std::vector<float>& values = texels.Values;
-  bool filled = false;
-  this->Buffer->SetType(type);
+  if (!this->Buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer) || !this->Buffer->Bind())
+  {
+    return false;
+  }
+  const int turns = GetTurns(kernel);
   if (halfFloats)
   {
-    std::vector<std::uint16_t> halves(values.size());
-    std::transform(values.begin(), values.end(), halves.begin(), glm::packHalf1x16);
-    filled = this->Buffer->Upload(halves, type);
+    UploadTexels<std::uint16_t>(texels, turns, glm::packHalf1x16);
   }
   else
   {
-    filled = this->Buffer->Upload(values, type);
+    UploadTexels<float>(texels, turns, [](float value) { return value; });
   }
+  const int pitch = turns * texels.Size.x;
+  const int layer = pitch * texels.Size.y;
+  this->Steps = { turns, pitch, layer };
+  this->ToOdd = turns == 2 ? 1 : layer * (texels.Size.z / 2);
   const int channels =
     kernel == bravais::BCCKernel::BCC12 && texels.Components == 1 ? 4 : texels.Components;
   this->Texture->SetContext(window);
   this->Texture->SetInternalFormat(formats[halfFloats][channels - 1]);
-  return filled &&
-    this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(values.size() / channels), channels, VTK_FLOAT, this->Buffer);
+  return this->Texture->CreateTextureBuffer(
+    static_cast<unsigned int>(texels.Values.size() / channels), channels, VTK_FLOAT, this->Buffer);
 }
 
 //------------------------------------------------------------------------------
-void vtkBCCCoefficientBuffer::Activate(
-  vtkShaderProgram* program, const vtkBCCCoefficientTexels& texels)
+void vtkBCCCoefficientBuffer::Activate(vtkShaderProgram* program)
 {
   this->Texture->Activate();
   program->SetUniformi("in_bccCoefficients", this->Texture->GetTextureUnit());
-  const int pitch[2] = { texels.Size.x, texels.Size.x * texels.Size.y };
-  program->SetUniform2i("in_bccPitch", pitch);
+  program->SetUniform1iv("in_bccTexelSteps", 3, &this->Steps.x);
+  program->SetUniformi("in_bccTexelToOdd", this->ToOdd);
 }
 
 //------------------------------------------------------------------------------

@@ -4,10 +4,14 @@
  * @class   vtkBCCCoefficientBuffer
  * @brief   coefficients in a buffer, for fetches without filtering
  *
- * The texels of vtkBCCCoefficientTexels, in their order, as an OpenGL buffer that the shader reads
- * by a texel's number. To go from one texel to the next is one addition there, and a fetch has
- * nothing to compute from sizes: where a processor draws, one takes a third of the time of one from
- * a 3D texture.
+ * The texels of vtkBCCCoefficientTexels as an OpenGL buffer that the shader reads by a texel's
+ * number. To go from one texel to the next is one addition there, and a fetch has nothing to
+ * compute from sizes: where a processor draws, one takes a third of the time of one from a 3D
+ * texture.
+ *
+ * The texels of both cosets take turns: the even point of an index, and then the odd one, so that
+ * the stencils, which need both, meet fewer cache lines. For bcc12, which takes rows of one coset,
+ * the odd coset follows the even one, as in the texture.
  */
 
 #ifndef vtkBCCCoefficientBuffer_h
@@ -18,6 +22,8 @@
 
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkNew.h"
+
+#include <glm/vec3.hpp>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkBCCCoefficientTexels;
@@ -41,7 +47,7 @@ public:
   bool Fill(vtkOpenGLRenderWindow* window, bravais::BCCKernel kernel,
     const vtkBCCCoefficientTexels& texels, bool halfFloats);
   /// Sets the program's sampler in_bccCoefficients and how its texels are numbered.
-  void Activate(vtkShaderProgram* program, const vtkBCCCoefficientTexels& texels);
+  void Activate(vtkShaderProgram* program);
   void Deactivate();
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -49,6 +55,8 @@ public:
 private:
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
+  glm::ivec3 Steps = glm::ivec3(0); // texels from one to the next along each axis
+  int ToOdd = 0;                    // texels from the even point of an index to the odd one
 };
 VTK_ABI_NAMESPACE_END
 

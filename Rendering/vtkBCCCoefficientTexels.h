@@ -35,9 +35,8 @@ class VTKBRAVAIS_EXPORT vtkBCCCoefficientTexels
 public:
   static constexpr int Halo = 2;
 
-  /// Size of the texture of a volume, and of one coset along z.
+  /// Size of the texture of a volume: along z that of both cosets.
   static glm::ivec3 GetSize(const vtkBCCVolumeFrame& frame);
-  static int GetCosetDepth(const vtkBCCVolumeFrame& frame) { return GetSize(frame).z / 2; }
 
   /// Packs an array of float or double coefficients, one tuple a point of the volume.
   void Pack(const vtkBCCVolumeFrame& frame, vtkDataArray* coefficients);

@@ -222,10 +222,13 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   }
   program->SetUniform3f("in_bccLow", frame.Low);
   program->SetUniform3f("in_bccHigh", frame.High);
-  program->SetUniformi("in_bccCosetDepth", this->Input->Texels.Size.z / 2);
   if (this->Current.Buffer)
   {
-    this->Coefficients.Activate(program, this->Input->Texels);
+    this->Coefficients.Activate(program);
+  }
+  else
+  {
+    program->SetUniformi("in_bccCosetDepth", this->Input->Texels.Size.z / 2);
   }
   this->SetPieceUniforms(program);
   if (program->IsUniformUsed("in_bccToGradient"))

@@ -7,7 +7,6 @@
 
 uniform vec3 in_bccLow; // the volume's box in lattice coordinates
 uniform vec3 in_bccHigh;
-uniform int in_bccCosetDepth;      // slices of one coset
 uniform int in_bccOriginTexel[3];  // of the lattice point 0: the halo, or before a piece's texels
 
 // Lattice coordinates of texture coordinates. They are kept in the box: the halo ends beyond.
@@ -19,11 +18,12 @@ vec3 BCCPosition(vec3 texturePosition)
 #ifdef BCC_BUFFER
 #define BCC_TEXEL int
 uniform samplerBuffer in_bccCoefficients;
-uniform ivec2 in_bccPitch; // texels of a row and of a slice
+uniform int in_bccTexelSteps[3]; // along each axis
+uniform int in_bccTexelToOdd;    // from the even point of an index to the odd one
 
 int BCCTexel(ivec3 v)
 {
-  return v.x + v.y * in_bccPitch.x + v.z * in_bccPitch.y;
+  return v.x * in_bccTexelSteps[0] + v.y * in_bccTexelSteps[1] + v.z * in_bccTexelSteps[2];
 }
 
 BCC_VALUE BCCCoefficient(int texel)
@@ -33,6 +33,7 @@ BCC_VALUE BCCCoefficient(int texel)
 #else
 #define BCC_TEXEL ivec3
 #define BCCTexel(v) (v)
+uniform int in_bccCosetDepth; // slices of one coset
 
 BCC_VALUE BCCCoefficient(ivec3 texel)
 {
@@ -40,23 +41,18 @@ BCC_VALUE BCCCoefficient(ivec3 texel)
 }
 #endif
 
-// The texel of the even lattice point 0, and of the odd one that is 1 along each axis.
-ivec3 BCCEvenOrigin()
-{
-  return ivec3(in_bccOriginTexel[0], in_bccOriginTexel[1], in_bccOriginTexel[2]);
-}
-
-ivec3 BCCOddOrigin()
-{
-  return BCCEvenOrigin() + ivec3(0, 0, in_bccCosetDepth);
-}
-
+// The texels of an even lattice point, and of an odd one.
 BCC_TEXEL BCCEvenTexel(ivec3 point)
 {
-  return BCCTexel((point >> 1) + BCCEvenOrigin());
+  ivec3 origin = ivec3(in_bccOriginTexel[0], in_bccOriginTexel[1], in_bccOriginTexel[2]);
+  return BCCTexel((point >> 1) + origin);
 }
 
 BCC_TEXEL BCCOddTexel(ivec3 point)
 {
-  return BCCTexel((point >> 1) + BCCOddOrigin());
+#ifdef BCC_BUFFER
+  return BCCEvenTexel(point) + in_bccTexelToOdd;
+#else
+  return BCCEvenTexel(point) + ivec3(0, 0, in_bccCosetDepth);
+#endif
 }

@@ -105,8 +105,7 @@ std::vector<float> DrawFromBuffer(vtkOpenGLRenderWindow* window, bravais::BCCKer
       GetImplementation(texels.Components, component), points, 3,
       [&](vtkShaderProgram* program)
       {
-        buffer.Activate(program, texels);
-        program->SetUniformi("in_bccCosetDepth", texels.Size.z / 2);
+        buffer.Activate(program);
         program->SetUniform1iv("in_bccOriginTexel", 3, Origin);
       });
   buffer.Deactivate();
