@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -36,11 +37,6 @@ struct Options
   bool Clock = false;
 };
 
-double Get(const Options& options, const FrameTime& time)
-{
-  return 1e3 * (options.Clock ? time.Clock : time.Processor);
-}
-
 std::vector<MapperChoice> GetChoices(const Options& options)
 {
   std::vector<MapperChoice> choices = { { "VTK trilinear", 0, false } };
@@ -50,6 +46,22 @@ std::vector<MapperChoice> GetChoices(const Options& options)
     choices.push_back({ "bcc" + std::to_string(kernel), kernel, true });
   }
   return choices;
+}
+
+/// What kernels take of bcc7's time, without and with skipping.
+void PrintKernels(const std::vector<MapperChoice>& choices, const std::vector<FrameTimes>& times)
+{
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const auto bcc7 = std::find_if(choices.begin(), choices.end(),
+      [&](const MapperChoice& choice)
+      { return choice.Kernel == 7 && choice.Skip == choices[i].Skip; });
+    if (choices[i].Kernel != 0 && choices[i].Kernel != 7 && bcc7 != choices.end())
+    {
+      std::printf("%s / %s: %.2f\n", choices[i].Name.c_str(), bcc7->Name.c_str(),
+        times[i].GetRatio(times[bcc7 - choices.begin()]));
+    }
+  }
 }
 
 /// One line a mapper: time of a frame, what it is of VTK's, and the same of the first frame.
@@ -62,18 +74,17 @@ void PrintPair(const Options& options, const VolumePair& pair, RenderMode mode)
     pair.Height);
   std::printf(
     "%-22s %10s %8s %12s %8s %8s\n", "", "frame, ms", "/ VTK", "first, ms", "/ VTK", "MB");
-  double peer = 0.0;
-  double first = 0.0;
-  for (const MapperChoice& choice : GetChoices(options))
+  const std::vector<MapperChoice> choices = GetChoices(options);
+  const std::vector<FrameTimes> times =
+    TimeFrames(pair, choices, mode, options.Frames, options.Clock);
+  for (std::size_t i = 0; i < times.size(); ++i)
   {
-    const FrameTime time = TimeFrames(pair, choice, mode, options.Frames);
-    peer = choice.Kernel == 0 ? Get(options, time) : peer;
-    const double change = 1e3 * (options.Clock ? time.FirstClock : time.FirstProcessor);
-    first = choice.Kernel == 0 ? change : first;
-    std::printf("%-22s %10.1f %8.2f %12.1f %8.2f %8.1f\n", choice.Name.c_str(), Get(options, time),
-      Get(options, time) / peer, change, change / first, 1e-6 * time.Memory);
-    std::fflush(stdout);
+    std::printf("%-22s %10.1f %8.2f %12.1f %8.2f %8.1f\n", choices[i].Name.c_str(),
+      1e3 * times[i].Fastest, times[i].GetRatio(times[0]), 1e3 * times[i].First,
+      times[i].First / times[0].First, 1e-6 * times[i].Memory);
   }
+  PrintKernels(choices, times);
+  std::fflush(stdout);
 }
 
 int Round(double size)
@@ -103,27 +114,20 @@ std::vector<VolumePair> MakePaperPairs(const Options& options)
 
 void PrintPaperTable(const Options& options)
 {
-  std::printf("\nIsosurfaces, frames a second without and with skipping\n%-14s %14s", "volume",
-    "VTK trilinear");
-  for (const int kernel : options.Kernels)
-  {
-    std::printf(" %13s%-3d", "bcc", kernel);
-  }
-  std::printf("  bcc7/bcc8 bcc7/bcc12\n");
+  const std::vector<MapperChoice> choices = GetChoices(options);
   for (const VolumePair& pair : MakePaperPairs(options))
   {
-    std::printf("%-14s", pair.Name.c_str());
-    double rate[2][13] = {};
-    for (const MapperChoice& choice : GetChoices(options))
+    const std::vector<FrameTimes> times =
+      TimeFrames(pair, choices, RenderMode::IsoSurface, options.Frames, options.Clock);
+    std::printf("\n%s, isosurface, image %d x %d, frames a second and as a multiple of VTK's\n",
+      pair.Name.c_str(), pair.Width, pair.Height);
+    for (std::size_t i = 0; i < times.size(); ++i)
     {
-      const double frame =
-        1e3 / Get(options, TimeFrames(pair, choice, RenderMode::IsoSurface, options.Frames));
-      rate[choice.Skip][choice.Kernel] = frame;
-      std::printf(choice.Kernel == 0 ? " %14.2f" : " %7.2f", frame);
-      std::fflush(stdout);
+      std::printf("%-22s %8.2f %8.2f\n", choices[i].Name.c_str(), 1.0 / times[i].Fastest,
+        1.0 / times[i].GetRatio(times[0]));
     }
-    std::printf("  %4.2f %4.2f  %4.2f %4.2f\n", rate[0][7] / rate[0][8], rate[1][7] / rate[1][8],
-      rate[0][7] / rate[0][12], rate[1][7] / rate[1][12]);
+    PrintKernels(choices, times);
+    std::fflush(stdout);
   }
 }
 
@@ -160,7 +164,8 @@ int main(int argc, char* argv[])
   app.add_option("--images", options.Images, "Widths of the image, of scaling")->delimiter(',');
   app.add_option("--volume", options.Volume, "A MetaImage file for the table of modes");
   app.add_option("--iso-value", options.IsoValue, "Its isovalue");
-  app.add_option("--frames", options.Frames, "Frames of which the fastest counts");
+  app.add_option(
+    "--frames", options.Frames, "Frames of each, by turns: the fastest and the median ratio count");
   app.add_option("--scale", options.Scale, "Scales the paper's volumes and images");
   app.add_option("--image-scale", options.ImageScale, "Scales the paper's images alone");
   app.add_flag("--clock", options.Clock, "Time by the clock, not of the processors");

@@ -26,9 +26,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <ctime>
 #include <functional>
 #include <limits>
+#include <memory>
 
 namespace bravais
 {
@@ -119,12 +121,12 @@ void SetHeadOpacities(VolumePair& pair)
     { 1000, 0.8 } };
 }
 
-struct Clocks
+double GetSeconds(bool clock)
 {
-  double Processor = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-  double Clock =
-    std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-};
+  return clock
+    ? std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count()
+    : static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeMapper(
   const VolumePair& pair, const MapperChoice& choice, RenderMode mode)
@@ -187,6 +189,68 @@ void SetProperty(vtkVolumeProperty* property, const VolumePair& pair, RenderMode
   property->SetInterpolationTypeToLinear();
   property->SetShade(mode == RenderMode::IsoSurface || mode == RenderMode::Shaded);
 }
+
+/// A window with one volume.
+class Scene
+{
+public:
+  Scene(const VolumePair& pair, const MapperChoice& choice, RenderMode mode)
+    : Mapper(MakeMapper(pair, choice, mode))
+  {
+    vtkNew<vtkRenderer> renderer;
+    this->Window->SetOffScreenRendering(true);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(pair.Width, pair.Height);
+    this->Window->AddRenderer(renderer);
+    vtkNew<vtkVolume> volume;
+    volume->SetMapper(this->Mapper);
+    SetProperty(volume->GetProperty(), pair, mode);
+    renderer->AddVolume(volume);
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->SetPosition(0.55, -1.0, 0.35);
+    camera->SetViewUp(0, 0, 1);
+    renderer->ResetCamera(pair.Cartesian->GetBounds());
+    camera->Zoom(1.4);
+  }
+
+  /// Seconds that a frame takes.
+  double Draw(bool clock)
+  {
+    const double before = GetSeconds(clock);
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+    return GetSeconds(clock) - before;
+  }
+
+  /// The least of two frames after a change of the data.
+  double DrawChanged(bool clock)
+  {
+    double least = std::numeric_limits<double>::max();
+    for (int n = 0; n < 2; ++n)
+    {
+      auto* image = vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));
+      image->GetPointData()->GetScalars()->Modified();
+      image->Modified();
+      least = std::min(least, this->Draw(clock));
+    }
+    return least;
+  }
+
+  double GetMemory(bool bricks)
+  {
+    if (auto* ours = vtkBCCVolumeMapper::SafeDownCast(this->Mapper))
+    {
+      return static_cast<double>(
+        ours->GetCoefficientMemory() + (bricks ? ours->GetBrickMemory() : 0));
+    }
+    auto* image = vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));
+    return static_cast<double>(image->GetNumberOfPoints() * image->GetScalarSize());
+  }
+
+private:
+  vtkSmartPointer<vtkGPUVolumeRayCastMapper> Mapper;
+  vtkNew<vtkRenderWindow> Window;
+};
 
 } // namespace
 
@@ -258,56 +322,41 @@ VolumePair ReadPair(const std::string& path, double isoValue, int width, int hei
 }
 
 //------------------------------------------------------------------------------
-FrameTime TimeFrames(
-  const VolumePair& pair, const MapperChoice& choice, RenderMode mode, int frames)
+double FrameTimes::GetRatio(const FrameTimes& peer) const
 {
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(true);
-  window->SetMultiSamples(0);
-  window->SetSize(pair.Width, pair.Height);
-  window->AddRenderer(renderer);
-  vtkNew<vtkVolume> volume;
-  const auto mapper = MakeMapper(pair, choice, mode);
-  volume->SetMapper(mapper);
-  SetProperty(volume->GetProperty(), pair, mode);
-  renderer->AddVolume(volume);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(0.55, -1.0, 0.35);
-  camera->SetViewUp(0, 0, 1);
-  renderer->ResetCamera(pair.Cartesian->GetBounds());
-  camera->Zoom(1.4);
+  std::vector<double> ratios(this->Frames.size());
+  std::transform(this->Frames.begin(), this->Frames.end(), peer.Frames.begin(), ratios.begin(),
+    std::divides<>());
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
 
-  FrameTime time;
-  time.Processor = time.Clock = std::numeric_limits<double>::max();
-  time.FirstProcessor = time.FirstClock = time.Processor;
-  const auto draw = [&](double& processor, double& clock)
+//------------------------------------------------------------------------------
+std::vector<FrameTimes> TimeFrames(const VolumePair& pair, const std::vector<MapperChoice>& choices,
+  RenderMode mode, int frames, bool clock)
+{
+  std::vector<std::unique_ptr<Scene>> scenes;
+  for (const MapperChoice& choice : choices)
   {
-    const Clocks before;
-    window->Render();
-    window->WaitForCompletion();
-    const Clocks after;
-    processor = std::min(processor, after.Processor - before.Processor);
-    clock = std::min(clock, after.Clock - before.Clock);
-  };
-  double ignored[2] = { 0.0, 0.0 };
-  draw(ignored[0], ignored[1]); // compiles the shaders
+    scenes.push_back(std::make_unique<Scene>(pair, choice, mode));
+    scenes.back()->Draw(clock); // compiles the shaders
+  }
+  std::vector<FrameTimes> times(choices.size());
   for (int n = 0; n < frames; ++n)
   {
-    draw(time.Processor, time.Clock);
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+    {
+      times[i].Frames.push_back(scenes[i]->Draw(clock));
+    }
   }
-  for (int n = 0; n < 2; ++n)
+  for (std::size_t i = 0; i < scenes.size(); ++i)
   {
-    vtkImageData* image = choice.Kernel == 0 ? pair.Cartesian : pair.BCC;
-    image->GetPointData()->GetScalars()->Modified();
-    image->Modified();
-    draw(time.FirstProcessor, time.FirstClock);
+    times[i].Fastest = *std::min_element(times[i].Frames.begin(), times[i].Frames.end());
+    times[i].First = scenes[i]->DrawChanged(clock);
+    times[i].Memory = scenes[i]->GetMemory(choices[i].Skip);
   }
-  auto* ours = vtkBCCVolumeMapper::SafeDownCast(mapper);
-  time.Memory = static_cast<double>(ours
-      ? ours->GetCoefficientMemory() + (choice.Skip ? ours->GetBrickMemory() : 0)
-      : pair.Cartesian->GetNumberOfPoints() * pair.Cartesian->GetScalarSize());
-  return time;
+  return times;
 }
 
 } // namespace bravais

@@ -57,20 +57,23 @@ enum class RenderMode
 };
 const char* GetName(RenderMode mode);
 
-/// Seconds of a frame: processor time of all threads, and by the clock.
-struct FrameTime
+/// Seconds of the frames of one mapper: processor time of all threads, or by the clock.
+struct FrameTimes
 {
-  double Processor = 0.0;
-  double Clock = 0.0;
-  double FirstProcessor = 0.0; ///< of the first frame after a change of the data
-  double FirstClock = 0.0;
-  double Memory = 0.0; ///< bytes of the volume on the GPU, with what is made of it
+  std::vector<double> Frames; ///< in the order of drawing
+  double Fastest = 0.0;       ///< the least of them, since others use the machine too
+  double First = 0.0;         ///< of the first frame after a change of the data
+  double Memory = 0.0;        ///< bytes of the volume on the GPU, with what is made of it
+
+  /// Median of the ratios to a peer's frames: each with the one that was drawn next to it, so that
+  /// it does not matter how fast the machine was just then.
+  double GetRatio(const FrameTimes& peer) const;
 };
 
-/// Draws the frames of one mapper: rays advance by half the edge of a cube with one sample in it.
-/// The least of `frames` counts, since others use the machine too.
-FrameTime TimeFrames(
-  const VolumePair& pair, const MapperChoice& choice, RenderMode mode, int frames);
+/// Draws frames of several mappers by turns: rays advance by half the edge of a cube with one
+/// sample in it.
+std::vector<FrameTimes> TimeFrames(const VolumePair& pair, const std::vector<MapperChoice>& choices,
+  RenderMode mode, int frames, bool clock);
 
 } // namespace bravais
 
