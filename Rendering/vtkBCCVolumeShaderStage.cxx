@@ -190,16 +190,9 @@ void vtkBCCVolumeShaderStage::SetPieceUniforms(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
-  vtkAbstractMapper* abstractMapper, vtkProp*, vtkOpenGLVertexArrayObject*)
+// VTK divides by one cell less than there are.
+void vtkBCCVolumeShaderStage::SetCells(vtkVolumeTexture* texture) const
 {
-  auto* mapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(abstractMapper);
-  vtkVolumeTexture* texture = mapper->AssembledInputs[0].Texture;
-  if (!this->FillTexture(texture))
-  {
-    return false;
-  }
-  // VTK divides by one cell less than there are.
   const vtkBCCVolumeFrame& frame = *this->Input->Frame;
   auto* block = texture->GetCurrentBlock();
   for (int axis = 0; axis < 3; ++axis)
@@ -208,18 +201,31 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
     block->CellStep[axis] = 1.0f / static_cast<float>(axis == 2 ? points - 1 : points);
     texture->CellSpacing[axis] = static_cast<float>(frame.Spacing[axis]);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeShaderStage::SetRayUniforms(
+  vtkShaderProgram* program, vtkMatrix4x4* textureToDataset)
+{
   int viewport[4];
   vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow())
     ->GetState()
     ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   vtkBCCVolumeRays rays;
-  rays.Compute(this->Renderer, viewport, block->TextureToDataset, this->Volume->GetMatrix());
+  rays.Compute(this->Renderer, viewport, textureToDataset, this->Volume->GetMatrix());
   rays.SetUniforms(program);
   program->SetUniformi("in_bccBlockSize", 0);
   if (this->Target)
   {
     this->Target->StartTracing(program, rays.GetBounds());
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeShaderStage::SetVolumeUniforms(
+  vtkShaderProgram* program, vtkGPUVolumeRayCastMapper* mapper)
+{
+  const vtkBCCVolumeFrame& frame = *this->Input->Frame;
   program->SetUniform3f("in_bccLow", frame.Low);
   program->SetUniform3f("in_bccHigh", frame.High);
   if (this->Current.Buffer)
@@ -250,6 +256,21 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
     vtkBCCVolumeMask::SetUniforms(program, mapper->GetMaskInput(), frame,
       this->Input->GetHeldFrame(), vtkImageData::SafeDownCast(mapper->GetTransformedInput(0)));
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  auto* mapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(abstractMapper);
+  vtkVolumeTexture* texture = mapper->AssembledInputs[0].Texture;
+  if (!this->FillTexture(texture))
+  {
+    return false;
+  }
+  this->SetCells(texture);
+  this->SetRayUniforms(program, texture->GetCurrentBlock()->TextureToDataset);
+  this->SetVolumeUniforms(program, mapper);
   if (program->IsUniformUsed("in_bccDepthOpacity"))
   {
     // A translucent surface is picked, but hides nothing.

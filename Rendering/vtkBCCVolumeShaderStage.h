@@ -32,6 +32,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkBCCProgressiveFrame;
 class vtkBCCVolumeInput;
+class vtkGPUVolumeRayCastMapper;
+class vtkMatrix4x4;
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeTexture;
@@ -77,6 +79,9 @@ private:
   void operator=(const vtkBCCVolumeShaderStage&) = delete;
 
   bool FillTexture(vtkVolumeTexture* texture);
+  void SetCells(vtkVolumeTexture* texture) const;
+  void SetRayUniforms(vtkShaderProgram* program, vtkMatrix4x4* textureToDataset);
+  void SetVolumeUniforms(vtkShaderProgram* program, vtkGPUVolumeRayCastMapper* mapper);
   void SetPieceUniforms(vtkShaderProgram* program);
 
   vtkBCCShaderOptions Current;
