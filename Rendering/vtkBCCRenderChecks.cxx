@@ -15,11 +15,16 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace
 {
 // VTK's ray caster holds so many.
 constexpr int MaximumLights = 6;
+
+// Samples are counted by floats.
+constexpr double MaximumSamples = 1 << 23;
 
 template <class Function>
 void ForEachLight(vtkRenderer* renderer, Function function)
@@ -101,6 +106,31 @@ bool vtkBCCRenderChecks::CheckPatterns(int jitter, int size, std::string& why)
   {
     why = "ProgressivePatternSize is " + std::to_string(size) + "; it has to be 2, 4 or 8.";
   }
+  return why.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCRenderChecks::CheckSampleDistances(
+  vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, std::string& why)
+{
+  const double step = mapper->GetSampleDistance();
+  const bool asked =
+    !mapper->GetAutoAdjustSampleDistances() && !mapper->GetLockSampleDistanceToInputSpacing();
+  std::ostringstream text;
+  if (std::isnan(mapper->GetImageSampleDistance()))
+  {
+    text << "ImageSampleDistance is nan; it has to be from 0.1 to 100 pixels.";
+  }
+  else if (asked && !(step > 0.0 && std::isfinite(step)))
+  {
+    text << "SampleDistance is " << step << "; it has to be a positive number.";
+  }
+  else if (asked && volume->GetLength() / step > MaximumSamples)
+  {
+    text << "SampleDistance is " << step << ", which makes " << volume->GetLength() / step
+         << " samples along the volume's diagonal; there can be " << MaximumSamples << ".";
+  }
+  why = text.str();
   return why.empty();
 }
 

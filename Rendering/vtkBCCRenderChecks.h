@@ -26,7 +26,12 @@ struct vtkBCCRenderChecks
   /// Whether the numbers of a jitter pattern and a progressive pattern's size are ones there are.
   static bool CheckPatterns(int jitter, int size, std::string& why);
 
-  /// The same for what depends on the components of the scalars, and on the lights.
+  /// Whether rays take a sample and get on by steps: the distance between samples, where it is
+  /// asked for, is a positive number that does not make too many of them.
+  static bool CheckSampleDistances(
+    vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, std::string& why);
+
+  /// The same as Check() for what depends on the components of the scalars, and on the lights.
   static bool CheckShading(
     vtkRenderer* renderer, vtkVolume* volume, int components, std::string& why);
 

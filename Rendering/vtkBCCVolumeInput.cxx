@@ -19,6 +19,31 @@
 #include <sstream>
 #include <vector>
 
+namespace
+{
+// Of values whose splines shaders can sum as floats, whose largest is 3.4e38.
+constexpr double LargestMagnitude = 1e36;
+
+bool CheckMagnitude(vtkDataArray* scalars, std::string& why)
+{
+  for (int component = 0; component < scalars->GetNumberOfComponents(); ++component)
+  {
+    double range[2];
+    scalars->GetFiniteRange(range, component);
+    const double largest = std::max(-range[0], range[1]);
+    if (largest > LargestMagnitude)
+    {
+      std::ostringstream text;
+      text << "The input's scalars are up to " << largest
+           << " in magnitude; OpenGL takes floats, and " << LargestMagnitude << " can be rendered.";
+      why = text.str();
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
 vtkBCCVolumeInput::vtkBCCVolumeInput() = default;
 vtkBCCVolumeInput::~vtkBCCVolumeInput() = default;
 
@@ -107,6 +132,10 @@ bool vtkBCCVolumeInput::Compute(int kernel, int prefilter, bool halfFloats, std:
   if (!description->Describe(scalars, this->Source))
   {
     why = "A component of the input's scalars has no finite value.";
+    return false;
+  }
+  if (!CheckMagnitude(description, why))
+  {
     return false;
   }
   const int* extent = this->Piece->Coefficients;

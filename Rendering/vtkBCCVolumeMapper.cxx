@@ -258,6 +258,7 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
   vtkBCCVolumeInput& input = this->Impl->Input;
   if (!input.SetSource(image, cellFlag == 0 ? scalars : nullptr, why) ||
     !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why) ||
+    !vtkBCCRenderChecks::CheckSampleDistances(this, volume, why) ||
     !vtkBCCRenderChecks::CheckShading(renderer, volume, scalars->GetNumberOfComponents(), why) ||
     !this->CheckPiece(volume, image, why))
   {

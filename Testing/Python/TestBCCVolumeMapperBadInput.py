@@ -108,6 +108,21 @@ class TestBCCVolumeMapperBadInput(unittest.TestCase):
         self.check_shown(scenes.make_bcc(hole), iso=True)
         self.check_refused(scenes.make_bcc(lambda x, y, z: x * numpy.nan), "no finite value")
 
+    def test_values_beyond_floats(self):
+        def make(factor):
+            return scenes.make_bcc(lambda x, y, z: factor * distance(x, y, z), dtype=float)
+        for factor in (1e37, -1e300):
+            self.check_refused(make(factor), "can be rendered")
+        pictures = []
+        for factor in (1, 5e35):  # whose sums are finite
+            mapper = vtkBCCVolumeMapper()
+            mapper.SetInputData(make(factor))
+            opacities = ((0, 1), (1.7 * factor, 0.2))
+            scene = scenes.Scene(mapper, scenes.make_property(0, 1.7 * factor, opacities), size=64)
+            pictures.append(scene.render().astype(int))
+        self.assertGreater(pictures[0].std(axis=(0, 1)).max(), 5)
+        self.assertLessEqual(abs(pictures[0] - pictures[1]).max(), 1)
+
     def test_window_of_one_pixel(self):
         for iso in (False, True):
             self.assertEqual(self.render(scenes.make_bcc(distance), size=1, iso=iso)[0], [])

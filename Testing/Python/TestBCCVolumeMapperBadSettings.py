@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Settings that VTK's mapper crashes at or draws nothing for get one error, or work."""
+import math
 import unittest
 
 import numpy
@@ -122,6 +123,19 @@ class TestBCCVolumeMapperBadSettings(unittest.TestCase):
             self.scene.renderer.AddLight(light)
         self.check_refused("7 lights")
         light.SwitchOff()
+        self.check_shown()
+
+    def test_sample_distances(self):
+        for distance in (0.0, -1.0, math.nan, math.inf, 1e-30):
+            self.mapper.SetSampleDistance(distance)
+            self.check_refused(f"SampleDistance is {distance:g}")
+            self.mapper.AutoAdjustSampleDistancesOn()  # where it is not asked for
+            self.check_shown()
+            self.mapper.AutoAdjustSampleDistancesOff()
+        self.mapper.SetSampleDistance(0.1)
+        self.mapper.SetImageSampleDistance(math.nan)
+        self.check_refused("ImageSampleDistance is nan")
+        self.mapper.SetImageSampleDistance(1)
         self.check_shown()
 
     def test_mask_without_labels(self):
