@@ -27,7 +27,7 @@ struct Options
   std::vector<int> Modes = { 0, 1, 2, 3 };
   int Image = 512;
   std::vector<int> Kernels = { 12, 8, 7, 4 };
-  std::vector<int> Sizes = { 64, 128 };
+  std::vector<int> Sizes = { 64, 128, 256, 384 };
   std::vector<int> Images = { 256, 512, 1024 };
   std::string Volume;
   double IsoValue = 300.0;

@@ -4,41 +4,15 @@
 #define VolumeMapperScene_h
 
 /// \file
-/// Pairs of volumes with as many samples on either lattice, and frames of them that are timed.
+/// Frames of mappers that show a pair of volumes, timed.
 
-#include "vtkSmartPointer.h"
+#include "VolumePair.h"
 
 #include <string>
-#include <utility>
 #include <vector>
-
-class vtkGPUVolumeRayCastMapper;
-class vtkImageData;
 
 namespace bravais
 {
-
-/// One function on both lattices, and how it is looked at.
-struct VolumePair
-{
-  std::string Name;
-  vtkSmartPointer<vtkImageData> BCC;
-  vtkSmartPointer<vtkImageData> Cartesian;
-  double IsoValue = 0.0;
-  std::vector<std::pair<double, double>> Opacities; ///< scalars and opacities
-  int Width = 512;
-  int Height = 512;
-};
-
-/// The Marschner-Lobb function on n x n x 2n points, and on as many Cartesian ones.
-VolumePair MakeMarschnerLobb(int n, int width, int height);
-
-/// A head of ellipsoids in air: skin, bone, brain; dimensions are those of the BCC volume.
-VolumePair MakeHead(const std::string& name, const int dimensions[3], int width, int height);
-
-/// A MetaImage file, resampled to a BCC volume of as many samples; its range maps to a head's.
-/// Null pointers if it cannot be read.
-VolumePair ReadPair(const std::string& path, double isoValue, int width, int height);
 
 /// The mapper of a kernel (4, 7, 8, 12), or VTK's own (0).
 struct MapperChoice
