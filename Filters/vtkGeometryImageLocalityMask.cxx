@@ -69,6 +69,57 @@ public:
     }
     return this->LeafOrder;
   }
+
+  bravais::GeometryHierarchy::Parameters GetParameters(vtkGeometryImageLocalityMask* self) const
+  {
+    const double* cube = self->RootCube;
+    return { self->MaximumDepth, { cube[0], cube[1], cube[2], cube[3] },
+      self->Encoding == RLE ? bravais::MaskStore::Encoding::RunLength
+                            : bravais::MaskStore::Encoding::Roaring,
+      self->StoreInternalMasks };
+  }
+
+  /// Makes the hierarchy anew if it is not the input's. Progress then is `share`, and so is done.
+  bool BuildHierarchy(vtkGeometryImageLocalityMask* self, vtkImageData* input, double share,
+    double& done, std::string& why)
+  {
+    const bravais::GeometryHierarchy::Parameters parameters = this->GetParameters(self);
+    if (this->Hierarchy.IsOf(input, parameters))
+    {
+      return true;
+    }
+    this->ForgetQuery();
+    done = share;
+    if (!this->Hierarchy.Build(self, input, parameters, 0.0, done, why))
+    {
+      return false;
+    }
+    this->HierarchyTime.Modified();
+    this->Image = vtkSmartPointer<vtkImageData>::New();
+    this->Image->ShallowCopy(input);
+    return true;
+  }
+
+  /// The same for the other image, whose leaves the volume will be.
+  bool BuildOther(vtkGeometryImageLocalityMask* self, vtkImageData* image, double& done,
+    bravais::CullVolume& volume, std::string& why)
+  {
+    bravais::GeometryHierarchy::Parameters parameters = this->GetParameters(self);
+    std::fill_n(parameters.RootCube, 4, 0.0);
+    if (!this->Other.IsOf(image, parameters))
+    {
+      if (!this->Other.Build(self, image, parameters, done, BuildShare, why))
+      {
+        return false;
+      }
+      done = BuildShare;
+    }
+    volume.Test = this->Other.GetGrid()
+      ? std::unique_ptr<bravais::VolumeTest>(
+          std::make_unique<bravais::LeavesTest>(this->Other.GetTree(), *this->Other.GetGrid()))
+      : std::make_unique<bravais::PlanesTest>(std::vector<bravais::PlanesTest::Plane>(1));
+    return true;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -187,40 +238,15 @@ int vtkGeometryImageLocalityMask::RequestData(vtkInformation* vtkNotUsed(request
     return stop(why);
   }
 
-  const double* cube = this->RootCube;
-  bravais::GeometryHierarchy::Parameters parameters{ this->MaximumDepth,
-    { cube[0], cube[1], cube[2], cube[3] },
-    this->Encoding == RLE ? bravais::MaskStore::Encoding::RunLength
-                          : bravais::MaskStore::Encoding::Roaring,
-    this->StoreInternalMasks };
   double done = 0.0;
-  if (!own.Hierarchy.IsOf(input, parameters))
+  if (!own.BuildHierarchy(this, input, other ? 0.5 * BuildShare : BuildShare, done, why))
   {
-    own.ForgetQuery();
-    done = other ? 0.5 * BuildShare : BuildShare;
-    if (!own.Hierarchy.Build(this, input, parameters, 0.0, done, why))
-    {
-      return stop(why);
-    }
-    own.HierarchyTime.Modified();
-    own.Image = vtkSmartPointer<vtkImageData>::New();
-    own.Image->ShallowCopy(input);
+    return stop(why);
   }
-  if (other && !this->CullFunction && !this->Camera)
+  if (other && !this->CullFunction && !this->Camera &&
+    !own.BuildOther(this, other, done, volume, why))
   {
-    std::fill_n(parameters.RootCube, 4, 0.0);
-    if (!own.Other.IsOf(other, parameters))
-    {
-      if (!own.Other.Build(this, other, parameters, done, BuildShare, why))
-      {
-        return stop(why.empty() ? why : "At input port 1: " + why);
-      }
-      done = BuildShare;
-    }
-    volume.Test = own.Other.GetGrid()
-      ? std::unique_ptr<bravais::VolumeTest>(
-          std::make_unique<bravais::LeavesTest>(own.Other.GetTree(), *own.Other.GetGrid()))
-      : std::make_unique<bravais::PlanesTest>(std::vector<bravais::PlanesTest::Plane>(1));
+    return stop(why.empty() ? why : "At input port 1: " + why);
   }
 
   const bravais::GixelView gixels(input);
