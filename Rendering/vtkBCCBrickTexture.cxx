@@ -114,8 +114,7 @@ vtkBCCBrickTexture::Rule vtkBCCBrickTexture::FindRule(
     case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
       return independent ? Maximum : Nothing;
     case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
-      // VTK keeps the largest of each, if there are several.
-      return components == 1 ? Minimum : Nothing;
+      return independent ? Minimum : Nothing;
     default:
       return Nothing;
   }

@@ -186,6 +186,10 @@ bool vtkBCCShaderEdits::EditAfter(const vtkBCCShaderOptions& options, std::strin
   vtkShaderProgram::Substitute(fragment, "texture3D(volume, vec3(", "BCCLookUp(vec3(");
   vtkShaderProgram::Substitute(
     fragment, "uvec3(in_textureExtentsMax - in_textureExtentsMin)", "BCCPickedCounts()");
+  // Of independent components VTK keeps the largest for the least, and adds opacity to blue.
+  vtkShaderProgram::Substitute(fragment, "l_minValue[i] < scalar[i]", "l_minValue[i] > scalar[i]");
+  vtkShaderProgram::Substitute(
+    fragment, "g_srcColor[2] += tmp[3] * tmp[3]", "g_srcColor[3] += tmp[3]");
   // VTK counts from 1, as its selector once did.
   vtkShaderProgram::Substitute(fragment, "voxelCoords.x + uint(1)", "voxelCoords.x");
   vtkShaderProgram::Substitute(fragment, "uvec3(volumeDim * g_dataPos)",

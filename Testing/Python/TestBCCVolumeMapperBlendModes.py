@@ -59,6 +59,21 @@ class TestBCCVolumeMapperBlendModes(unittest.TestCase):
         self.compare("MinimumIntensity",
                      scenes.make_property(-1, 1, ((-1, 0.8), (1, 0.1)), shade=False), 0.5)
 
+    def test_minimum_intensity_of_independent_components(self):
+        """Half of each of two components that are the same is one; VTK's are neither least nor opaque."""
+        pictures = []
+        for count in 1, 2:
+            image = scenes.make_bcc(lambda *x: numpy.stack([wave(*x)] * count, axis=-1))
+            volume_property = scenes.make_property(-1, 1, ((-1, 0.8), (1, 0.1)), shade=False)
+            for component in range(count):
+                volume_property.SetColor(component, volume_property.GetRGBTransferFunction(0))
+                volume_property.SetScalarOpacity(component, volume_property.GetScalarOpacity(0))
+                volume_property.SetComponentWeight(component, 1 / count)
+            pictures.append(
+                render(vtkBCCVolumeMapper(), image, "MinimumIntensity", volume_property))
+        self.assertGreater(pictures[0].std(axis=(0, 1)).max(), 5)
+        self.assertLessEqual(numpy.abs(pictures[1].astype(int) - pictures[0]).max(), 1)
+
     def test_average_intensity(self):
         self.compare("AverageIntensity",
                      scenes.make_property(-1, 1, ((-1, 0.5), (1, 1)), shade=False), 0.5)

@@ -181,13 +181,16 @@ class TestBCCVolumeMapperSkipping(unittest.TestCase):
 
     def test_components(self):
         for count, modes in ((2, ("Composite",)), (2, ("MaximumIntensity", "MinimumIntensity")),
-                             (3, ("MaximumIntensity",)), (4, ("Composite",)),
+                             (3, ("MaximumIntensity", "MinimumIntensity")), (4, ("Composite",)),
                              (4, ("MaximumIntensity",))):
             for independent in (True, False) if modes == ("Composite",) else (True,):
-                image = scenes.make_bcc(lambda x, y, z: numpy.stack(
-                    [shell(x - 0.15 * c, y + 0.1 * c, z) * 255 for c in range(count)], axis=3),
-                    dtype=numpy.uint8)
                 for mode in modes:
+                    image = scenes.make_bcc(lambda x, y, z: numpy.stack(
+                        [shell(x - 0.15 * c, y + 0.1 * c, z) * 255 for c in range(count)], axis=3),
+                        dtype=numpy.uint8)
+                    if mode == "MinimumIntensity":
+                        values = vtk_to_numpy(image.GetPointData().GetScalars())
+                        values[:] = 255 - values
                     scene = make_scene(mode, image)
                     volume_property = scenes.make_property(
                         0, 255, ((0, 0), (60, 0), (255, 0.03 if mode == "Additive" else 0.6)), shade=False, iso_values=(130,))
