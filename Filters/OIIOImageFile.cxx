@@ -241,13 +241,15 @@ bool OIIOImageFile::ReadBlock(const int columns[2], const int rows[2], int layer
   const int channels[2], OIIO::TypeDesc type, void* values, std::string& why)
 {
   const OIIO::ImageSpec& spec = this->Spec;
+  static_cast<void>(this->Input->geterror()); // of what was read before
   const bool read = spec.tile_width > 0
     ? this->Input->read_tiles(this->SubImage, this->MipLevel, spec.x + columns[0],
         spec.x + columns[1], spec.y + rows[0], spec.y + rows[1], spec.z + layer, spec.z + layer + 1,
         channels[0], channels[1], type, values)
     : this->Input->read_scanlines(this->SubImage, this->MipLevel, spec.y + rows[0],
         spec.y + rows[1], spec.z + layer, channels[0], channels[1], type, values);
-  if (!read)
+  // Of strips of TIFF that cannot be read OpenImageIO 2.4 tells by its error alone.
+  if (!read || this->Input->has_error())
   {
     return this->Fail(Trouble::Format,
       "is truncated or damaged, rows " + std::to_string(rows[0]) + " to " +

@@ -255,6 +255,16 @@ class TestOIIOImageReaderBadInput(Folder):
                 (self.folder / name).write_bytes(content[:int(share * len(content))])
                 refuses(self, self.reader(name), name)
 
+    def test_truncated_strips(self):
+        for type in np.uint8, np.uint16, np.float32:
+            for compression in "none", "zip", "lzw":
+                self.write(make_picture((1, 120, 130, 3)).astype(type), "a.tif",
+                           Compression=compression)
+                content = (self.folder / "a.tif").read_bytes()
+                for share in 0.02, 0.5, 0.93:
+                    (self.folder / "a.tif").write_bytes(content[:int(share * len(content))])
+                    refuses(self, self.reader("a.tif"), "a.tif", "rows")
+
     def test_truncated_tiles(self):
         self.write(make_picture((1, 120, 130, 3)), "a.tif", TileSize=(16, 16))
         content = (self.folder / "a.tif").read_bytes()
