@@ -33,6 +33,15 @@ namespace
 {
 /// The share of progress that is the hierarchy's, where it is made.
 constexpr double BuildShare = 0.9;
+
+bool CheckArray(vtkObject* algorithm, vtkDataArray* array)
+{
+  if (!array)
+  {
+    vtkErrorWithObjectMacro(algorithm, "There is no array; one to write to was expected.");
+  }
+  return array != nullptr;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -364,6 +373,10 @@ double vtkGeometryImageLocalityMask::GetUnionTime()
 //------------------------------------------------------------------------------
 bool vtkGeometryImageLocalityMask::GetLeafMask(vtkIdType leaf, vtkUnsignedCharArray* mask)
 {
+  if (!CheckArray(this, mask))
+  {
+    return false;
+  }
   Internals& own = *this->Internal;
   mask->SetNumberOfComponents(1);
   if (leaf < 0 || leaf >= this->GetNumberOfLeaves())
@@ -385,6 +398,10 @@ bool vtkGeometryImageLocalityMask::GetLeafMask(vtkIdType leaf, vtkUnsignedCharAr
 //------------------------------------------------------------------------------
 bool vtkGeometryImageLocalityMask::GetLeafCode(vtkIdType leaf, vtkUnsignedCharArray* code)
 {
+  if (!CheckArray(this, code))
+  {
+    return false;
+  }
   code->SetNumberOfComponents(1);
   code->SetNumberOfTuples(0);
   if (this->GetLeafEncoding(leaf) < 0)
@@ -418,6 +435,10 @@ int vtkGeometryImageLocalityMask::GetLeafEncoding(vtkIdType leaf)
 //------------------------------------------------------------------------------
 void vtkGeometryImageLocalityMask::GetLeafCells(vtkIdTypeArray* cells)
 {
+  if (!CheckArray(this, cells))
+  {
+    return;
+  }
   cells->Initialize();
   cells->SetNumberOfComponents(3);
   for (const std::uint32_t leaf : this->Internal->GetLeafOrder())
@@ -472,6 +493,10 @@ bool vtkGeometryImageLocalityMask::IntersectWithLine(
 vtkIdType vtkGeometryImageLocalityMask::IntersectWithLine(
   const double p1[3], const double p2[3], vtkUnsignedCharArray* mask)
 {
+  if (!CheckArray(this, mask))
+  {
+    return 0;
+  }
   this->Update();
   const bravais::GeometryHierarchy& hierarchy = this->Internal->Hierarchy;
   mask->SetNumberOfComponents(1);

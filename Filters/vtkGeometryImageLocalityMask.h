@@ -209,7 +209,7 @@ public:
   /**
    * The mask of a leaf, one value a gixel, 0 or 1; leaves are in ascending order of their integer
    * cell (x << 2D) | (y << D) | z. A leaf that there is not is an error: it empties the array and
-   * gives false.
+   * gives false. No array is an error too, here and below.
    */
   bool GetLeafMask(vtkIdType leaf, vtkUnsignedCharArray* mask);
 

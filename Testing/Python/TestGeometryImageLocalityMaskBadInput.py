@@ -151,6 +151,17 @@ class TestGeometryImageLocalityMaskBadInput(unittest.TestCase):
                 self.assertIn(str(leaf), errors.texts[0])
                 self.assertEqual(array.GetNumberOfValues(), 0)
 
+    def test_no_array_to_write_to(self):
+        algorithm = make_mask(make_image())
+        algorithm.Update()
+        for ask, given in ((algorithm.GetLeafMask, (0, None)), (algorithm.GetLeafCode, (0, None)),
+                           (algorithm.GetLeafCells, (None,)),
+                           (algorithm.IntersectWithLine, ((0, 0, 0), (1, 1, 1), None))):
+            with Errors(algorithm) as errors:
+                self.assertFalse(ask(*given))
+            self.assertEqual(len(errors.texts), 1)
+            self.assertIn("no array", errors.texts[0])
+
     def test_few_gixels(self):
         for size in (1, 1), (1, 7), (9, 1), (2, 2):
             for depth in 0, 1, 10:
