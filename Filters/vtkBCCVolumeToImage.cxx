@@ -41,6 +41,13 @@ const char* vtkBCCVolumeToImage::GetPrefilterAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkBCCVolumeToImage::GetOutputScalarTypeAsString()
+{
+  return this->OutputScalarType == -1 ? "input"
+                                      : vtkImageScalarTypeNameMacro(this->OutputScalarType);
+}
+
+//------------------------------------------------------------------------------
 int vtkBCCVolumeToImage::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -296,5 +303,5 @@ void vtkBCCVolumeToImage::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Kernel: " << this->GetKernelAsString() << "\n";
   os << indent << "Prefilter: " << this->GetPrefilterAsString() << "\n";
   os << indent << "ComputeGradients: " << (this->ComputeGradients ? "On" : "Off") << "\n";
-  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
+  os << indent << "OutputScalarType: " << this->GetOutputScalarTypeAsString() << "\n";
 }

@@ -103,12 +103,14 @@ public:
 
   ///@{
   /**
-   * Scalar type of the output, a VTK constant as VTK_FLOAT. Default -1, the input's.
+   * Scalar type of the output, a VTK constant as VTK_FLOAT. Default -1, the input's;
+   * its text is then "input".
    */
   vtkSetMacro(OutputScalarType, int);
   vtkGetMacro(OutputScalarType, int);
   void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
   void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
+  const char* GetOutputScalarTypeAsString();
   ///@}
 
 protected:

@@ -354,6 +354,9 @@ class TestBCCVolumeToImage(unittest.TestCase):
             getattr(to_image, "SetPrefilterTo" + name)()
             self.assertEqual(to_image.GetPrefilter(), number)
             self.assertEqual(to_image.GetPrefilterAsString(), name)
+        self.assertEqual(to_image.GetOutputScalarTypeAsString(), "input")
+        to_image.SetOutputScalarTypeToDouble()
+        self.assertEqual(to_image.GetOutputScalarTypeAsString(), "double")
         for name in ("OutputDimensions", "Kernel", "Prefilter", "ComputeGradients",
                      "OutputScalarType"):
             self.assertIn(name + ": ", str(to_image))
