@@ -15,6 +15,7 @@ set(BRAVAIS_RENDERING_PRIVATE
   vtkBCCCoefficientBuffer
   vtkBCCCoefficientTexels
   vtkBCCDepthWatch
+  vtkBCCMaskLabels
   vtkBCCPictureState
   vtkBCCPieceSampling
   vtkBCCProgress

@@ -151,7 +151,8 @@ void vtkBCCShaderEdits::EditBefore(const vtkBCCShaderOptions& options,
   }
   if (mapper->GetMaskInput())
   {
-    PutAfter(fragment, "//VTK::BinaryMask::Dec", Text::GetMask(options.LatticeMask));
+    const bool labels = mapper->GetMaskType() == vtkGPUVolumeRayCastMapper::LabelMapMaskType;
+    PutAfter(fragment, "//VTK::CompositeMask::Dec", Text::GetMask(options.LatticeMask, labels));
   }
   if (picking)
   {
@@ -203,6 +204,8 @@ bool vtkBCCShaderEdits::EditAfter(const vtkBCCShaderOptions& options, std::strin
     }
   }
   vtkShaderProgram::Substitute(fragment, "texture3D(in_mask, g_dataPos)", "BCCMask(g_dataPos)");
+  vtkShaderProgram::Substitute(
+    fragment, "maskValue.r * in_mask_scale + in_mask_bias", "BCCLabel(maskValue.r)");
   if (options.BayerJitter)
   {
     vtkShaderProgram::Substitute(

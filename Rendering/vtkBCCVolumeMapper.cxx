@@ -6,11 +6,13 @@
 #include "BCCCoefficients.h"
 #include "BCCPrefilter.h"
 #include "vtkBCCLattice.h"
+#include "vtkBCCMaskLabels.h"
 #include "vtkBCCPieceSampling.h"
 #include "vtkBCCProgress.h"
 #include "vtkBCCProgressiveFrame.h"
 #include "vtkBCCRenderChecks.h"
 #include "vtkBCCVolumeInput.h"
+#include "vtkBCCVolumeMask.h"
 #include "vtkBCCVolumePiece.h"
 #include "vtkBCCVolumeShaderStage.h"
 #include "vtkBCCVolumeShaderText.h"
@@ -54,6 +56,7 @@ public:
   vtkBCCVolumeInput Input;
   vtkNew<vtkBCCVolumeShaderStage> Stage;
   bool HasLabels = false;
+  vtkBCCMaskLabels Labels;
   vtkBCCProgress Progress;
   std::string LastError;
   vtkMTimeType LastErrorTime = 0;
@@ -260,6 +263,7 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
     !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why) ||
     !vtkBCCRenderChecks::CheckSampleDistances(this, volume, why) ||
     !vtkBCCRenderChecks::CheckShading(renderer, volume, scalars->GetNumberOfComponents(), why) ||
+    !vtkBCCVolumeMask::Check(this, volume->GetProperty(), scalars->GetNumberOfComponents(), why) ||
     !this->CheckPiece(volume, image, why))
   {
     return false;
@@ -382,7 +386,7 @@ void vtkBCCVolumeMapper::RenderPiece(vtkRenderer* renderer, vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-void vtkBCCVolumeMapper::ShowStandIn(vtkRenderer* renderer)
+void vtkBCCVolumeMapper::ShowStandIn(vtkRenderer* renderer, vtkVolume* volume)
 {
   Internals& impl = *this->Impl;
   // VTK takes its own copy of an input, unless there is one that is newer than the input.
@@ -401,6 +405,10 @@ void vtkBCCVolumeMapper::ShowStandIn(vtkRenderer* renderer)
   if (labels && !impl.HasLabels)
   {
     this->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
+  if (labels)
+  {
+    vtkBCCVolumeMask::NoticeFunctions(volume->GetProperty());
   }
   impl.HasLabels = labels;
   this->LastInputs[0] = this->GetDataSetInput();
@@ -425,7 +433,10 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return;
   }
 
-  this->ShowStandIn(renderer);
+  vtkImageData* mask = this->MaskInput;
+  const bool used = vtkBCCVolumeMask::IsUsed(this, impl.Input.Texels.Components);
+  this->MaskInput = used ? impl.Labels.GetLoadable(mask) : nullptr;
+  this->ShowStandIn(renderer, volume);
   auto options = vtkBCCShaderOptions::Collect(this, renderer, volume, impl.Input);
   options.BayerJitter = this->JitterPattern == BayerJitter;
   options.Progressive = this->IsTracedInPasses(renderer, volume);
@@ -447,6 +458,7 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   impl.Stage->End();
   this->FinishPass(renderer, volume, frame);
   this->ScalarMode = scalarMode;
+  this->MaskInput = mask;
 
   if (impl.Stage->GetShaderLog().empty())
   {

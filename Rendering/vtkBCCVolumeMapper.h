@@ -278,7 +278,7 @@ private:
   float FindSampleDistance(const vtkBCCVolumeFrame& frame, vtkVolume* volume);
   bool CheckPiece(vtkVolume* volume, vtkImageData* image, std::string& why);
 
-  void ShowStandIn(vtkRenderer* renderer);
+  void ShowStandIn(vtkRenderer* renderer, vtkVolume* volume);
   void RenderPiece(vtkRenderer* renderer, vtkVolume* volume);
 
   bool IsShown(vtkRenderer* renderer) const;

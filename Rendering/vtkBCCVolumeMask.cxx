@@ -3,13 +3,22 @@
 #include "vtkBCCVolumeMask.h"
 
 #include "vtkBCCLattice.h"
+#include "vtkBCCMaskLabels.h"
 #include "vtkBCCVolumeFrame.h"
 
+#include "vtkColorTransferFunction.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
 
 namespace
 {
@@ -71,6 +80,46 @@ void FindTexture(vtkImageData* mask, vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
+bool vtkBCCVolumeMask::IsUsed(vtkGPUVolumeRayCastMapper* mapper, int components)
+{
+  const bool labels = mapper->GetMaskType() == vtkGPUVolumeRayCastMapper::LabelMapMaskType;
+  return mapper->GetMaskInput() &&
+    (!labels || (components == 1 && mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND));
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCVolumeMask::Check(
+  vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property, int components, std::string& why)
+{
+  if (mapper->GetMaskInput() && property->GetIndependentComponents() && components > 1 &&
+    mapper->GetMaskType() == vtkGPUVolumeRayCastMapper::LabelMapMaskType &&
+    mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    why = "The mask is a label map and the input's scalars have " + std::to_string(components) +
+      " independent components; labels are for scalars of one.";
+  }
+  return why.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeMask::NoticeFunctions(vtkVolumeProperty* property)
+{
+  vtkMTimeType time = 0;
+  for (const int label : property->GetLabelMapLabels())
+  {
+    for (vtkObject* function : std::initializer_list<vtkObject*>{ property->GetLabelColor(label),
+           property->GetLabelScalarOpacity(label), property->GetLabelGradientOpacity(label) })
+    {
+      time = std::max(time, function ? function->GetMTime() : 0);
+    }
+  }
+  if (time > property->GetMTime())
+  {
+    property->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkBCCVolumeMask::IsLattice(vtkImageData* mask, const vtkBCCVolumeFrame& held)
 {
   return HasCountsOf(mask, held) ||
@@ -108,6 +157,18 @@ void vtkBCCVolumeMask::SetUniforms(vtkShaderProgram* program, vtkImageData* mask
     FindIndices(mask, standIn, matrix);
     FindTexture(mask, matrix);
   }
+  // A lattice unit of the volume, in the mask's system.
+  float margin[3] = { 0.0f, 0.0f, 0.0f };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      margin[axis] += static_cast<float>(
+        std::abs(matrix->GetElement(axis, column)) / (volume.High[column] - volume.Low[column]));
+    }
+  }
+  program->SetUniform3f("in_bccMaskMargin", margin);
   matrix->Transpose(); // to columns
   program->SetUniformMatrix("in_bccMaskMatrix", matrix);
+  program->SetUniformf("in_bccLabelFactor", vtkBCCMaskLabels::GetFactor(mask));
 }

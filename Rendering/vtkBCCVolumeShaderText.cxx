@@ -156,10 +156,10 @@ std::string vtkBCCVolumeShaderText::GetBayerJitter()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkBCCVolumeShaderText::GetMask(bool lattice)
+std::string vtkBCCVolumeShaderText::GetMask(bool lattice, bool labels)
 {
-  return (lattice ? Define("BCC_LATTICE_MASK", "1") + bccNearest_glsl : std::string()) +
-    bccMask_glsl;
+  return (labels ? Define("BCC_LABELS", "1") : std::string()) +
+    (lattice ? Define("BCC_LATTICE_MASK", "1") + bccNearest_glsl : std::string()) + bccMask_glsl;
 }
 
 //------------------------------------------------------------------------------

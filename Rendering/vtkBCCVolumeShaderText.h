@@ -47,8 +47,8 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   static std::string GetBayerJitter();
   static const char* const JitterStatement;
 
-  /// Labels of a mask, which may be on a lattice.
-  static std::string GetMask(bool lattice);
+  /// Values of a mask, which may be on a lattice, and labels if it is a label map.
+  static std::string GetMask(bool lattice, bool labels);
 
   /// Indices of picked samples, after GetMask if there is one.
   static std::string GetPicking(bool latticeMask);

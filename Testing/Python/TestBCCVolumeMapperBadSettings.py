@@ -18,6 +18,8 @@ IMAGE = scenes.make_bcc(lambda x, y, z: numpy.sqrt(x * x + y * y + z * z), (8, 8
 def make_labels(label):
     mask = vtkImageData()
     mask.SetDimensions(4, 4, 4)
+    mask.SetOrigin(-1, -1, -1)
+    mask.SetSpacing(2 / 3, 2 / 3, 2 / 3)
     mask.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
     mask.GetPointData().GetScalars().Fill(label)
     return mask
