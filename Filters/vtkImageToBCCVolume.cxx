@@ -6,6 +6,8 @@
 #include "BCCPlacement.h"
 #include "BCCResample.h"
 #include "BCCSubset.h"
+#include "ImageChecks.h"
+#include "LatticeTag.h"
 #include "LayerSampler.h"
 #include "PieceRequest.h"
 #include "vtkBCCLattice.h"
@@ -237,10 +239,14 @@ int vtkImageToBCCVolume::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return this->Fail(outputVector, why);
   }
-  if (vtkBCCLattice::IsBCC(input))
+  for (const char* tag : { bravais::BCCTag, bravais::Rank1Tag })
   {
-    return this->Fail(
-      outputVector, "The input is tagged as a BCC volume; a Cartesian image was expected.");
+    if (bravais::HasLatticeTag(input, tag))
+    {
+      return this->Fail(outputVector,
+        std::string("The input is tagged as an image of the lattice ") + tag +
+          "; a Cartesian image was expected.");
+    }
   }
   vtkBCCLattice::Tag(output);
   if (IsEmpty(extent))
@@ -256,6 +262,12 @@ int vtkImageToBCCVolume::RequestData(vtkInformation* vtkNotUsed(request),
     return this->Fail(outputVector,
       scalars ? "The input's scalars are fewer than the points that were asked for."
               : "The input has no point scalars; they are what is sampled.");
+  }
+  if (!bravais::IsNumberType(scalars->GetDataType()))
+  {
+    return this->Fail(outputVector,
+      std::string("The input's scalars are of type ") + scalars->GetDataTypeAsString() +
+        "; numbers of 8 to 64 bits were expected.");
   }
   if (!bravais::CheckMemory(
         extent, scalars->GetNumberOfComponents() * scalars->GetDataTypeSize(), why))

@@ -4,6 +4,7 @@ import math
 import unittest
 
 import numpy as np
+from vtkmodules.vtkCommonCore import VTK_BIT, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 from bravais import (
@@ -70,6 +71,17 @@ class TestImageToBCCVolumeBadInput(unittest.TestCase):
         image = make_volume()
         image.GetPointData().SetActiveScalars(None)
         self.refuses_in_both_modes(image, "no point scalars")
+
+    def test_input_of_another_lattice_or_of_bits(self):
+        image = make_volume()
+        tag = vtkStringArray()
+        tag.SetName("Lattice")
+        tag.InsertNextValue("Rank1")
+        image.GetFieldData().AddArray(tag)
+        self.refuses_in_both_modes(image, "Rank1", "Cartesian")
+        image = make_volume()
+        image.AllocateScalars(VTK_BIT, 1)
+        self.refuses_in_both_modes(image, "bit", "8 to 64")
 
     def test_bad_spacing_and_origin(self):
         for spacing in ((0, 1, 1), (1, -1, 1), (1, 1, math.nan), (math.inf, 1, 1)):
