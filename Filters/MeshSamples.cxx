@@ -3,6 +3,7 @@
 #include "MeshSamples.h"
 
 #include "GeometryImage.h"
+#include "ImageChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -20,6 +21,26 @@ namespace bravais
 
 namespace
 {
+
+/// Whether all cells are of points that there are.
+bool CheckCells(vtkCellArray* cells, vtkIdType count, std::string& why)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    for (const vtkIdType id : *ids)
+    {
+      if (id < 0 || id >= count)
+      {
+        why = "A polygon or strip of the input has point " + std::to_string(id) +
+          "; one of its points, 0 to " + std::to_string(count - 1) + ", was expected.";
+        return false;
+      }
+    }
+  }
+  return true;
+}
 
 /// Polygons and strips as triangles of the mesh's points.
 std::vector<Triangle> ReadTriangles(vtkPolyData* mesh)
@@ -75,6 +96,11 @@ bool MeshSamples::SetMesh(vtkPolyData* mesh, std::string& why)
   {
     why = "The input has " + std::to_string(count) + " points; at most " +
       std::to_string(VTK_INT_MAX / 8) + " were expected.";
+    return false;
+  }
+  if (!CheckPointArrays(mesh, why) || !CheckCells(mesh->GetPolys(), count, why) ||
+    !CheckCells(mesh->GetStrips(), count, why))
+  {
     return false;
   }
   std::vector<glm::dvec3> points(static_cast<std::size_t>(count));

@@ -4,6 +4,7 @@
 
 #include "GeometryImage.h"
 #include "GixelSurface.h"
+#include "ImageChecks.h"
 #include "PieceRequest.h"
 
 #include "vtkDataArray.h"
@@ -77,7 +78,7 @@ bool vtkGeometryImageToPolyData::CheckInput(vtkImageData* image, std::string& wh
       " tuples of 1 component of type unsigned char were expected.";
     return false;
   }
-  return true;
+  return bravais::CheckPointArrays(image, why);
 }
 
 //------------------------------------------------------------------------------

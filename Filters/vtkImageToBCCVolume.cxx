@@ -263,7 +263,11 @@ int vtkImageToBCCVolume::RequestData(vtkInformation* vtkNotUsed(request),
       scalars ? "The input's scalars are fewer than the points that were asked for."
               : "The input has no point scalars; they are what is sampled.");
   }
-  if (!bravais::IsNumberType(scalars->GetDataType()))
+  if (this->Mode == Subset && !bravais::CheckPointArrays(input, why))
+  {
+    return this->Fail(outputVector, why);
+  }
+  if (this->Mode == Resample && !bravais::IsNumberType(scalars->GetDataType()))
   {
     return this->Fail(outputVector,
       std::string("The input's scalars are of type ") + scalars->GetDataTypeAsString() +

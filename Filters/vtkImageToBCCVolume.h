@@ -42,10 +42,11 @@
  * as the kernel reaches, which is everywhere for B-splines and the low-pass.
  *
  * Errors, with an empty output: an input that is tagged as BCC or rank-1, has no point scalars,
- * scalars that are no numbers of 8 to 64 bits, fewer than two points along an axis, or a spacing or
- * origin that is not finite (or spacing not positive); a SampleRatio that is not positive and
- * finite or gives less than 1 x 1 x 2 points; Dimensions that are neither 0, 0, 0 nor at least 1,
- * 1, 2; no Interpolator, or one for BCC volumes; more points than can be counted or kept in memory.
+ * point arrays of fewer tuples than points, fewer than two points along an axis, or a spacing or
+ * origin that is not finite (or spacing not positive); scalars to resample that are no numbers of 8
+ * to 64 bits; a SampleRatio that is not positive and finite or gives less than 1 x 1 x 2 points;
+ * Dimensions that are neither 0, 0, 0 nor at least 1, 1, 2; no Interpolator, or one for BCC
+ * volumes; more points than can be counted or kept in memory.
  *
  * Example:
  * @code

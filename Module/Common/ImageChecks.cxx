@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageChecks.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
 #include "vtkSetGet.h"
 #include "vtkType.h"
 
@@ -74,6 +77,24 @@ bool CheckPlacement(const double origin[3], const double spacing[3], std::string
     if (!std::isfinite(origin[axis]))
     {
       why = "The input's origin is " + Join(origin) + "; it has to be finite.";
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool CheckPointArrays(vtkDataSet* data, std::string& why)
+{
+  vtkPointData* arrays = data->GetPointData();
+  for (int n = 0; n < arrays->GetNumberOfArrays(); ++n)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(n);
+    if (array->GetNumberOfTuples() < data->GetNumberOfPoints())
+    {
+      why = std::string("The input's point array '") + (array->GetName() ? array->GetName() : "") +
+        "' has " + std::to_string(array->GetNumberOfTuples()) + " tuples; one for each of " +
+        std::to_string(data->GetNumberOfPoints()) + " points was expected.";
       return false;
     }
   }

@@ -7,7 +7,13 @@
 /// What filters of any kind of image ask before they start. A check that fails returns false and
 /// sets `why` to a sentence that names the value and what was expected, ready for vtkErrorMacro.
 
+#include "vtkBravaisABINamespace.h"
+
 #include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace bravais
 {
@@ -20,6 +26,9 @@ bool IsNumberType(int type);
 
 /// Whether an image's spacing is positive and finite, and its origin finite.
 bool CheckPlacement(const double origin[3], const double spacing[3], std::string& why);
+
+/// Whether all of a data set's point arrays are as long as it has points.
+bool CheckPointArrays(vtkDataSet* data, std::string& why);
 
 /// Whether an extent is not empty, its indices and lattice coordinates fit int, and its points of
 /// so many bytes can be counted.

@@ -461,6 +461,11 @@ class TestGeometryImageToPolyDataBadInput(unittest.TestCase):
         add_array(image, "Points", np.zeros((16, 3), np.int32))
         refuses(self, make_surface(image), "int")
 
+    def test_short_arrays(self):
+        image = make_image(make_bumps(4, 4))
+        add_array(image, "few", np.zeros(15))
+        refuses(self, make_surface(image), "few", "15 tuples", "16 points")
+
     def test_infinities(self):
         points = make_bumps(4, 4)
         points[2, 1, 0] = np.inf

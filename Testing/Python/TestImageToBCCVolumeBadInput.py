@@ -4,7 +4,7 @@ import math
 import unittest
 
 import numpy as np
-from vtkmodules.vtkCommonCore import VTK_BIT, vtkStringArray
+from vtkmodules.vtkCommonCore import VTK_BIT, vtkDoubleArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 from bravais import (
@@ -81,7 +81,15 @@ class TestImageToBCCVolumeBadInput(unittest.TestCase):
         self.refuses_in_both_modes(image, "Rank1", "Cartesian")
         image = make_volume()
         image.AllocateScalars(VTK_BIT, 1)
-        self.refuses_in_both_modes(image, "bit", "8 to 64")
+        refuses(self, make_filter(image), "bit", "8 to 64")
+
+    def test_short_arrays(self):
+        image = make_volume()
+        short = vtkDoubleArray()
+        short.SetName("few")
+        short.SetNumberOfValues(3)
+        image.GetPointData().AddArray(short)
+        refuses(self, make_filter(image, vtkImageToBCCVolume.Subset), "few", "3 tuples", "210 points")
 
     def test_bad_spacing_and_origin(self):
         for spacing in ((0, 1, 1), (1, -1, 1), (1, 1, math.nan), (math.inf, 1, 1)):

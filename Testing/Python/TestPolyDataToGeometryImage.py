@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkPoints
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import (
     vtkAppendPolyData, vtkCleanPolyData, vtkFeatureEdges, vtkStripper, vtkTriangleFilter)
@@ -424,6 +424,17 @@ class TestPolyDataToGeometryImageBadInput(unittest.TestCase):
         refuses(self, make_filter(lines), "0 polygons")
         points = np.zeros((3, 3))
         refuses(self, make_filter(make_mesh(points, [(0, 1, 2)])), "no triangles")
+
+    def test_points_and_values_that_there_are_not(self):
+        points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0)], float)
+        for bad in -1, 3, 10 ** 6:
+            refuses(self, make_filter(make_mesh(points, [(0, 1, bad)])), f"point {bad};", "0 to 2")
+        mesh = make_mesh(points, [(0, 1, 2)])
+        values = vtkDoubleArray()
+        values.SetName("few")
+        values.SetNumberOfValues(2)
+        mesh.GetPointData().AddArray(values)
+        refuses(self, make_filter(mesh), "few", "2 tuples", "3 points")
 
     def test_coordinates(self):
         for bad in np.nan, np.inf:
