@@ -14,6 +14,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -52,12 +53,13 @@ void UploadTexels(const vtkBCCCoefficientTexels& texels, int turns, Convert conv
   {
     for (int coset = 0; coset < turns; ++coset)
     {
-      const float* from =
-        texels.Values.data() + (b + static_cast<std::size_t>(coset) * blocks) * slice;
-      T* to = block.data() + coset * texels.Components;
-      for (std::size_t n = 0; n < slice; n += texels.Components, to += turns * texels.Components)
+      const std::size_t from = (b + static_cast<std::size_t>(coset) * blocks) * slice;
+      for (std::size_t n = 0; n < slice; n += texels.Components)
       {
-        std::transform(from + n, from + n + texels.Components, to, convert);
+        const auto texel = texels.Values.begin() + static_cast<std::ptrdiff_t>(from + n);
+        std::transform(texel, texel + texels.Components,
+          block.begin() + static_cast<std::ptrdiff_t>(turns * n + coset * texels.Components),
+          convert);
       }
     }
     glBufferSubData(GL_TEXTURE_BUFFER, b * bytes, bytes, block.data());

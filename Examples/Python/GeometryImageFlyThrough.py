@@ -143,11 +143,11 @@ def main():
     parser.add_argument("folder", type=pathlib.Path, help="where pictures go")
     parser.add_argument("model", nargs="?", type=pathlib.Path, help="geometry image or .obj mesh")
     parser.add_argument("--gixels", type=int, default=257, help="along each side")
-    parser.add_argument("--depth", type=int, default=5)
+    parser.add_argument("--depth", type=int, default=5, help="of the octree")
     parser.add_argument("--size", type=int, default=220, help="of each panel, in pixels")
     parser.add_argument("--frames", type=int, default=120, help="of the whole flight")
     parser.add_argument("--pictures", type=int, nargs="*", default=[12], help="frames to keep")
-    parser.add_argument("--interactive", action="store_true")
+    parser.add_argument("--interactive", action="store_true", help="play it in a window")
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     image = (geometryimages.read(options.model, options.gixels) if options.model
