@@ -118,9 +118,14 @@ def rank1_from_numpy(values, generator, domain=None, name="Scalars"):
         raise ValueError(f"Generator ({g1}, {g2}) does not generate {n} points.")
     if domain is None:
         domain = (0, shape[1], 0, shape[0])
+    domain = numpy.array(domain, dtype=numpy.float64)
+    if domain.shape != (4,) or not numpy.isfinite(domain).all() or (domain[::2] >= domain[1::2]).any():
+        raise ValueError(
+            f"The domain is {domain}; finite (xmin, xmax, ymin, ymax) in ascending order were expected."
+        )
     image = _tag(_make_image(values, shape, (1, 1, 1), (0, 0, 0), name), "Rank1")
     _add_field(image, "Rank1.Generator", numpy.array([n, g1, g2], dtype=numpy.int64))
-    _add_field(image, "Rank1.Domain", numpy.array(domain, dtype=numpy.float64).reshape(4))
+    _add_field(image, "Rank1.Domain", domain)
     return image
 
 
@@ -200,6 +205,7 @@ def bayer_thresholds(dimension, log2_size, **options):
     if options or base_order not in ("FCC", "BCC"):
         raise ValueError(f"base_order is {base_order!r}; FCC or BCC was expected.")
     getattr(pattern, f"SetBaseOrderTo{base_order}")()
+    pattern.AddObserver("ErrorEvent", lambda *unused: None)  # the ValueError says it
     ranks = vtkIdTypeArray()
     pattern.GetThresholds(dimension, log2_size, ranks)
     if not ranks.GetNumberOfTuples():

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK's algorithms as one call: inputs and settings in, the output back, errors as exceptions."""
 
+import os
+
 import numpy
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -49,8 +51,8 @@ def rank1_sample(texture, uv, footprints=None, **settings):
     """
     uv = numpy.ascontiguousarray(uv, dtype=numpy.float64)
     sampler = vtkRank1TextureSampler()
-    if isinstance(texture, str):
-        sampler.SetFileName(texture)
+    if isinstance(texture, (str, os.PathLike)):
+        sampler.SetFileName(str(texture))
     else:
         sampler.SetInputData(texture)
     for name, value in settings.items():

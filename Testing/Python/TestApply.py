@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """bravais.apply: what it sets, connects and returns, and how it reports errors."""
 import os
+import pathlib
 import unittest
 
 import numpy
@@ -26,6 +27,8 @@ class TestRank1Sample(unittest.TestCase):
                                 NumberOfPoints=64, Tiles=(1, 1))
         self.assertIsNone(written)
         numpy.testing.assert_array_equal(bravais.rank1_sample(path, uv, Interpolation="Nearest"), found)
+        numpy.testing.assert_array_equal(
+            bravais.rank1_sample(pathlib.Path(path), uv, Interpolation="Nearest"), found)
         pyramid = bravais.apply(bravais.vtkRank1TexturePyramid, image)
         coarse = bravais.rank1_sample(pyramid, uv, (1, 0, 0, 1))
         self.assertLess(coarse.std(), 0.5 * found.std())

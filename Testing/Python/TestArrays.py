@@ -152,9 +152,12 @@ class TestBadInput(unittest.TestCase):
         refuse(ValueError, "no rank-1", bravais.rank1_from_numpy, count_up((1, 1, 1, 1, 5)), (1, 2))
         refuse(ValueError, "no rank-1", bravais.rank1_from_numpy, numpy.float32(3), (1, 2))
         refuse(ValueError, "generate", bravais.rank1_from_numpy, count_up((8,)), (2, 4))
+        for domain in (0, 1, 0), (0, 1, 0, numpy.nan), (1, 0, 0, 1), (0, 1, 2, 2):
+            refuse(ValueError, "domain", bravais.rank1_from_numpy, count_up((8,)), (1, 3), domain)
         refuse(ValueError, "no geometry", bravais.geometry_from_numpy, count_up((4, 3, 2)))
         refuse(ValueError, "defined", bravais.geometry_from_numpy, count_up((4, 3, 3)), numpy.ones((3, 4)))
         refuse(ValueError, "base_order", bravais.bayer_thresholds, 3, 1, base_order="SC")
+        refuse(ValueError, "no pattern", bravais.bayer_thresholds, 4, 1)
 
     def test_images(self):
         image = bravais.image_from_numpy(count_up((4, 3, 2)))
