@@ -25,6 +25,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 vtkStandardNewMacro(vtkGeometryImageLocalityMask);
@@ -33,6 +34,19 @@ namespace
 {
 /// The share of progress that is the hierarchy's, where it is made.
 constexpr double BuildShare = 0.9;
+
+bool CheckLine(vtkObject* algorithm, const double p1[3], const double p2[3])
+{
+  const bool finite = std::all_of(p1, p1 + 3, [](double x) { return std::isfinite(x); }) &&
+    std::all_of(p2, p2 + 3, [](double x) { return std::isfinite(x); });
+  if (!finite)
+  {
+    vtkErrorWithObjectMacro(algorithm,
+      "The line is from (" << p1[0] << ", " << p1[1] << ", " << p1[2] << ") to (" << p2[0] << ", "
+                           << p2[1] << ", " << p2[2] << "); finite points were expected.");
+  }
+  return finite;
+}
 
 bool CheckArray(vtkObject* algorithm, vtkDataArray* array)
 {
@@ -455,6 +469,10 @@ void vtkGeometryImageLocalityMask::GetLeafCells(vtkIdTypeArray* cells)
 bool vtkGeometryImageLocalityMask::IntersectWithLine(
   const double p1[3], const double p2[3], double& t, double x[3], vtkIdType gixels[3])
 {
+  if (!CheckLine(this, p1, p2))
+  {
+    return false;
+  }
   Internals& own = *this->Internal;
   this->Update();
   if (!own.Hierarchy.GetGrid() || !own.Image)
@@ -493,7 +511,7 @@ bool vtkGeometryImageLocalityMask::IntersectWithLine(
 vtkIdType vtkGeometryImageLocalityMask::IntersectWithLine(
   const double p1[3], const double p2[3], vtkUnsignedCharArray* mask)
 {
-  if (!CheckArray(this, mask))
+  if (!CheckArray(this, mask) || !CheckLine(this, p1, p2))
   {
     return 0;
   }

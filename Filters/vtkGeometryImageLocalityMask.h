@@ -233,7 +233,7 @@ public:
    * meets a triangle, whose gixels it gives, at p1 + t (p2 - p1) = x, and returns whether it
    * does. Four gixels are two triangles, split along the shorter diagonal, and three used ones of
    * four are one. The second fills a mask, as GetLeafMask does, with the leaves whose cells the
-   * line passes through, and returns how many there are.
+   * line passes through, and returns how many there are. A line that is not finite is an error.
    */
   bool IntersectWithLine(
     const double p1[3], const double p2[3], double& t, double x[3], vtkIdType gixels[3]);

@@ -162,6 +162,17 @@ class TestGeometryImageLocalityMaskBadInput(unittest.TestCase):
             self.assertEqual(len(errors.texts), 1)
             self.assertIn("no array", errors.texts[0])
 
+    def test_lines_that_are_not_finite(self):
+        algorithm = make_mask(make_image())
+        mask = vtkUnsignedCharArray()
+        for bad in np.nan, np.inf:
+            for line in ((bad, 0, 0), (1, 1, 1)), ((0, 0, 0), (1, 1, bad)):
+                for rest in (reference(0.0), [0.0] * 3, [0] * 3), (mask,):
+                    with Errors(algorithm) as errors:
+                        self.assertFalse(algorithm.IntersectWithLine(*line, *rest))
+                    self.assertEqual(len(errors.texts), 1)
+                    self.assertIn("finite", errors.texts[0])
+
     def test_few_gixels(self):
         for size in (1, 1), (1, 7), (9, 1), (2, 2):
             for depth in 0, 1, 10:
