@@ -136,7 +136,7 @@ int vtkBCCPrefilter::RequestData(
   vtkDataArray* scalars = input->GetPointData()->GetScalars();
   const int components = scalars->GetNumberOfComponents();
   const int type = bravais::GetBCCCoefficientType(scalars->GetDataType());
-  // A spectral method makes the whole volume, whatever was asked for.
+  // A spectral method makes the whole volume, of which what was asked for is kept.
   const bravais::BCCExtent piece = extent;
   if (bravais::NeedsWholeVolume(this->Method))
   {
@@ -160,9 +160,9 @@ int vtkBCCPrefilter::RequestData(
   {
     output->Initialize();
   }
-  else if (bravais::IsPiece(out))
+  else
   {
-    output->Crop(piece.data()); // its number tells others what it is
+    output->Crop(piece.data());
   }
   return 1;
 }

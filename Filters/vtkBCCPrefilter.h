@@ -26,8 +26,8 @@
  * Output: the same lattice, its array (same name) in double where the input is double or a 64-bit
  * integer, else in float. Memory beside input and output: some lines a thread.
  *
- * A piece computed by None or QuasiInterpolation equals that piece of the whole; the other two need
- * the whole input for any piece. A NaN spoils its neighbourhood under QuasiInterpolation, and its
+ * Any piece equals that piece of the whole. Interpolation and Projection need the whole input for
+ * it, and compute all of it anew. A NaN spoils its neighbourhood under QuasiInterpolation, and its
  * whole component under the other two. Bad input (not tagged, fewer than two layers, BCC7 or BCC12
  * with Interpolation) gets one error and an empty output.
  *

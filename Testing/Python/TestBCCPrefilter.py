@@ -152,22 +152,15 @@ class TestBCCPrefilter(unittest.TestCase):
             for dtype in np.float64, np.float32:
                 source = PieceSource(make_volume(array.astype(dtype), start=start))
                 for kernel, method in METHODS:
-                    if method < 2:
-                        check_pieces(self, make_filter(source, kernel, method))
+                    check_pieces(self, make_filter(source, kernel, method))
         check_pieces(self, make_filter(
             PieceSource(make_volume(np.stack((array, 2 * array, -array), -1))), 7, 1))
 
-    def test_methods_of_the_whole_make_the_whole_once(self):
+    def test_methods_of_the_whole_ask_for_the_whole(self):
         source = PieceSource(make_volume(self.array, start=(0, 0, 1)))
         prefilter = make_filter(source, 8, 2)
-        prefilter.Update()
-        whole = to_numpy(prefilter.GetOutput()).copy()
-        prefilter.Modified()
         prefilter.UpdateExtent((1, 2, 1, 1, 3, 4))
-        prefilter.UpdateExtent((0, 0, 0, 0, 6, 6))
-        output = prefilter.GetOutput()
-        self.assertEqual(output.GetExtent(), (0, 3, 0, 2, 1, 6))
-        self.assertEqual(to_numpy(output).tobytes(), whole.tobytes())
+        self.assertEqual(prefilter.GetOutput().GetExtent(), (1, 2, 1, 1, 3, 4))
         self.assertEqual(source.asked, [[0, 3, 0, 2, 1, 6]])
 
     def test_no_more_is_asked_for_than_needed(self):
