@@ -64,6 +64,7 @@ set(BRAVAIS_SHADERS
   bccNearest
   bccNothing
   bccNowhere
+  bccPickedPoint
   bccPicking
   bccPiece
   bccPieceEnter

@@ -6,6 +6,7 @@
 #include "vtkBCCVolumeShaderText.h"
 
 #include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkPlaneCollection.h"
 #include "vtkShaderProgram.h"
@@ -136,8 +137,8 @@ void EditRays(const vtkBCCShaderOptions& options, std::string& fragment)
 
 //------------------------------------------------------------------------------
 void vtkBCCShaderEdits::EditBefore(const vtkBCCShaderOptions& options,
-  vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property, bool picking,
-  std::string& geometry, std::string& fragment)
+  vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property, std::string& geometry,
+  std::string& fragment)
 {
   using Text = vtkBCCVolumeShaderText;
   if (options.PixelRays)
@@ -153,10 +154,6 @@ void vtkBCCShaderEdits::EditBefore(const vtkBCCShaderOptions& options,
   {
     const bool labels = mapper->GetMaskType() == vtkGPUVolumeRayCastMapper::LabelMapMaskType;
     PutAfter(fragment, "//VTK::CompositeMask::Dec", Text::GetMask(options.LatticeMask, labels));
-  }
-  if (picking)
-  {
-    PutAfter(fragment, "//VTK::Picking::Dec", Text::GetPicking(options.LatticeMask));
   }
   EditRays(options, fragment);
   std::string declarations =
@@ -176,7 +173,22 @@ void vtkBCCShaderEdits::EditBefore(const vtkBCCShaderOptions& options,
 }
 
 //------------------------------------------------------------------------------
-bool vtkBCCShaderEdits::EditAfter(const vtkBCCShaderOptions& options, std::string& fragment)
+void vtkBCCShaderEdits::EditPicking(
+  const vtkBCCShaderOptions& options, int pass, std::string& fragment)
+{
+  using Text = vtkBCCVolumeShaderText;
+  PutAfter(fragment, "//VTK::Picking::Dec", Text::GetPicking(options.LatticeMask));
+  const bool higher = pass == vtkHardwareSelector::POINT_ID_HIGH24;
+  if (higher || pass == vtkHardwareSelector::POINT_ID_LOW24)
+  {
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::Picking::Exit", Text::GetPickedPoint(options.RefineRoots, higher));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBCCShaderEdits::EditAfter(
+  const vtkBCCShaderOptions& options, bool picking, std::string& fragment)
 {
   const bool values = vtkShaderProgram::Substitute(
     fragment, "texture3D(in_volume[0], g_dataPos)", "BCCLookUp(g_dataPos)");
@@ -191,10 +203,20 @@ bool vtkBCCShaderEdits::EditAfter(const vtkBCCShaderOptions& options, std::strin
   vtkShaderProgram::Substitute(fragment, "l_minValue[i] < scalar[i]", "l_minValue[i] > scalar[i]");
   vtkShaderProgram::Substitute(
     fragment, "g_srcColor[2] += tmp[3] * tmp[3]", "g_srcColor[3] += tmp[3]");
+  // VTK turns the normal of a slice as if it were a point.
+  vtkShaderProgram::Substitute(fragment,
+    "in_inverseVolumeMatrix[0] * vec4(in_slicePlaneNormal, 0.0)",
+    "transpose(in_volumeMatrix[0]) * vec4(in_slicePlaneNormal, 0.0)");
   // VTK counts from 1, as its selector once did.
   vtkShaderProgram::Substitute(fragment, "voxelCoords.x + uint(1)", "voxelCoords.x");
   vtkShaderProgram::Substitute(fragment, "uvec3(volumeDim * g_dataPos)",
     options.RefineRoots ? "BCCPicked(g_bccSurface)" : "BCCPicked(g_dataPos)");
+  if (picking)
+  {
+    // A selection of points keeps the depths of a picture, among which are those of this surface.
+    const std::string depth = "texture2D(in_depthSampler, fragTexCoord)";
+    vtkShaderProgram::Substitute(fragment, depth, "(" + depth + " + 1e-5)");
+  }
   if (fragment.find("vec3 BCCToEye(") != std::string::npos)
   {
     for (const std::string gradient : { "normal", "gradient.xyz" })

@@ -19,6 +19,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -379,6 +380,7 @@ void vtkBCCVolumeMapper::RenderPiece(vtkRenderer* renderer, vtkVolume* volume)
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     selector->UpdateMaximumCellId(this->GetInput()->GetNumberOfPoints());
+    selector->UpdateMaximumPointId(this->GetInput()->GetNumberOfPoints());
   }
   this->Superclass::Render(renderer, volume);
   std::tie(this->AutoAdjustSampleDistances, this->LockSampleDistanceToInputSpacing,
@@ -447,6 +449,13 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   vtkBCCProgressiveFrame* frame =
     options.Progressive ? this->StartPass(renderer, volume, options.WriteDepth) : nullptr;
   impl.Stage->SetTarget(frame);
+  // VTK takes part in selections of cells only, and would spoil those of points by its colours.
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  const int field = selector ? selector->GetFieldAssociation() : 0;
+  if (selector)
+  {
+    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  }
   if (options.Piece)
   {
     this->RenderPiece(renderer, volume);
@@ -454,6 +463,10 @@ void vtkBCCVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   else
   {
     this->Superclass::Render(renderer, volume);
+  }
+  if (selector)
+  {
+    selector->SetFieldAssociation(field);
   }
   impl.Stage->End();
   this->FinishPass(renderer, volume, frame);

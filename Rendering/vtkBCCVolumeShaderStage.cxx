@@ -111,7 +111,11 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
   std::string&, std::string& geometry, std::string& fragment, vtkAbstractMapper* mapper, vtkProp*)
 {
   vtkBCCShaderEdits::EditBefore(this->Current, vtkGPUVolumeRayCastMapper::SafeDownCast(mapper),
-    this->Volume->GetProperty(), this->Renderer->GetSelector() != nullptr, geometry, fragment);
+    this->Volume->GetProperty(), geometry, fragment);
+  if (vtkHardwareSelector* selector = this->Renderer->GetSelector())
+  {
+    vtkBCCShaderEdits::EditPicking(this->Current, selector->GetCurrentPass(), fragment);
+  }
   return true;
 }
 
@@ -119,7 +123,8 @@ bool vtkBCCVolumeShaderStage::PreReplaceShaderValues(
 bool vtkBCCVolumeShaderStage::PostReplaceShaderValues(
   std::string& vertex, std::string&, std::string& fragment, vtkAbstractMapper*, vtkProp*)
 {
-  const bool found = vtkBCCShaderEdits::EditAfter(this->Current, fragment);
+  const bool found =
+    vtkBCCShaderEdits::EditAfter(this->Current, this->Renderer->GetSelector() != nullptr, fragment);
   this->Check.Check(this->Volume, vertex, fragment);
   return found;
 }

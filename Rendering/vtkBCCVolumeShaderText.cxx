@@ -25,6 +25,7 @@
 #include "bccLookAhead_glsl.h"
 #include "bccMask_glsl.h"
 #include "bccNearest_glsl.h"
+#include "bccPickedPoint_glsl.h"
 #include "bccPicking_glsl.h"
 #include "bccPieceEnter_glsl.h"
 #include "bccPieceImpl_glsl.h"
@@ -166,6 +167,13 @@ std::string vtkBCCVolumeShaderText::GetMask(bool lattice, bool labels)
 std::string vtkBCCVolumeShaderText::GetPicking(bool latticeMask)
 {
   return (latticeMask ? std::string() : std::string(bccNearest_glsl)) + bccPicking_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetPickedPoint(bool refined, bool higher)
+{
+  return Define("BCC_PICKED_PLACE", refined ? "g_bccSurface" : "g_dataPos") +
+    Define("BCC_PICKED_SHIFT", higher ? "24u" : "0u") + bccPickedPoint_glsl;
 }
 
 //------------------------------------------------------------------------------

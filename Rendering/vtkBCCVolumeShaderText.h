@@ -53,6 +53,10 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   /// Indices of picked samples, after GetMask if there is one.
   static std::string GetPicking(bool latticeMask);
 
+  /// What ends a pass that reads 24 bits of such an index, the lower or the higher ones; it is the
+  /// sample nearest to a refined surface, or to where the ray has ended.
+  static std::string GetPickedPoint(bool refined, bool higher);
+
   /// Leaps over empty bricks, which for an extremum are those that do not get as far, and the text
   /// that makes them before a sample.
   static std::string GetSkipping(bool extremum);

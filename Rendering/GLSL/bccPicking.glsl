@@ -19,3 +19,12 @@ uvec3 BCCPicked(vec3 texturePosition)
   return uvec3(
     BCCNearest(BCCPosition(texturePosition), in_bccHeldLow, in_bccHeldHigh, in_bccLatticePerUnit));
 }
+
+// The colour that selections of points read 24 bits of an index from, those after the shift.
+vec4 BCCPickedColor(vec3 texturePosition, uint shift)
+{
+  uvec3 counts = BCCPickedCounts();
+  uvec3 point = BCCPicked(texturePosition);
+  uint index = ((point.z * counts.y + point.y) * counts.x + point.x) >> shift;
+  return vec4(vec3(index & 255u, (index >> 8u) & 255u, (index >> 16u) & 255u) / 255.0, 1.0);
+}

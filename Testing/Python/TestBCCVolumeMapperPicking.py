@@ -86,6 +86,28 @@ class TestBCCVolumeMapperPicking(unittest.TestCase):
             self.assertLess(numpy.median(radii), RADIUS + shell)
             self.assertEqual(select(scene, 0, 0, 3, 3), [])
 
+    def test_points_are_the_samples(self):
+        """Selections of points know the volume too, and those of a mesh beside it."""
+        for mode in "IsoSurface", "Composite":
+            scene = make_scene(mode)
+            ball = make_ball((0.9, 0.9, 0.9))
+            scene.renderer.AddActor(ball)
+            scene.window.Render()
+            both = [{}, {}]
+            for field, found in zip((vtkDataObject.FIELD_ASSOCIATION_POINTS,
+                                     vtkDataObject.FIELD_ASSOCIATION_CELLS), both):
+                for node in select(scene, 0, 0, 59, 59, field):
+                    found[node.GetProperties().Get(vtkSelectionNode.PROP())] = node
+            points, cells = both
+            self.assertEqual(set(points), {scene.volume, ball})
+            node = points[scene.volume]
+            self.assertEqual(node.GetFieldType(), vtkSelectionNode.POINT)
+            self.assertGreater(node.GetSelectionList().GetNumberOfTuples(), 50)
+            if mode == "IsoSurface":  # The other ends a ray at the depth of the ball's points.
+                numpy.testing.assert_array_equal(
+                    vtk_to_numpy(node.GetSelectionList()),
+                    vtk_to_numpy(cells[scene.volume].GetSelectionList()))
+
     def test_several_volumes_and_actors(self):
         scene, other = make_scene(), make_scene()
         other.volume.SetScale(0.4)

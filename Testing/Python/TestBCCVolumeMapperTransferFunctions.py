@@ -11,6 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 import comparison
 import scenes
+from bravais import vtkBCCVolumeMapper
 
 def make_2d_function(edge):
     """Colours by the scalar, along x, and opacities by the gradient too, along y."""
@@ -121,6 +122,40 @@ class TestBCCVolumeMapperTransferFunctions(unittest.TestCase):
                 with self.subTest(value=value, mode=mode):
                     _, pictures = comparison.compare(self, mode, 1.2, prepare, change=False)
                     self.assertGreater(pictures[1].max(), 150)
+
+    def test_slices_lie_where_they_are_asked_for(self):
+        """In a volume that is scaled, and cut by clipping planes: world positions tell the values."""
+        mapper = vtkBCCVolumeMapper()
+        mapper.SetInputData(scenes.make_bcc(lambda x, y, z: x, (8, 8, 16)))
+        mapper.SetBlendModeToSlice()
+        volume_property = scenes.make_property(-1, 1, ((-1, 1), (1, 1)), shade=False)
+        grays = vtkColorTransferFunction()
+        grays.AddRGBPoint(-1, 0, 0, 0)
+        grays.AddRGBPoint(1, 1, 1, 1)
+        volume_property.SetColor(grays)
+        plane, cut = vtkPlane(), vtkPlane()
+        plane.SetNormal(0.6, 0.3, 1)
+        volume_property.SetSliceFunction(plane)
+        cut.SetOrigin(0.1, 0, 0)
+        cut.SetNormal(-1, 0.5, 0)
+        mapper.AddClippingPlane(cut)
+        scene = scenes.Scene(mapper, volume_property, size=60)
+        scene.volume.SetScale(0.8, 0.7, 2)
+        scene.renderer.SetBackground(1, 0, 0)
+        camera = scene.renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetPosition(0, 0, 5)
+        camera.SetParallelScale(1)
+        scene.renderer.ResetCameraClippingRange()
+        picture = scene.render()
+        y, x = ((n + 0.5) / 30 - 1 for n in numpy.indices((60, 60)))
+        z = -0.6 * x - 0.3 * y
+        distance = numpy.min((0.8 - abs(x), 0.7 - abs(y), 2 - abs(z), 0.5 * y + 0.1 - x), axis=0)
+        shown = distance > 0.02
+        self.assertGreater(shown.sum(), 300)
+        numpy.testing.assert_allclose(
+            picture[shown], numpy.repeat(127.5 * (x[shown] / 0.8 + 1)[:, None], 3, 1), atol=4)
+        numpy.testing.assert_array_equal(picture[distance < -0.02][:, 1:], 0)
 
     def test_slices_are_shaded_and_translucent(self):
         def prepare(scene, mapper, volume_property):
