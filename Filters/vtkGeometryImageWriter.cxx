@@ -6,6 +6,8 @@
 #include "GeometryImage.h"
 #include "GimFile.h"
 
+#include <OpenImageIO/filesystem.h>
+
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -36,24 +38,27 @@ bool vtkGeometryImageWriter::WriteImage(std::string& why)
   {
     return false;
   }
+  // Under another name of the same ending, until it is complete: an older file stays otherwise.
   const std::string path = this->FileName;
-  if (!vtksys::ofstream(path.c_str(), std::ios::binary))
+  std::string ending = vtksys::SystemTools::GetFilenameLastExtension(path);
+  const std::string part = path.substr(0, path.size() - ending.size()) + ".part" + ending;
+  if (vtksys::SystemTools::FileIsDirectory(path) ||
+    !vtksys::ofstream(part.c_str(), std::ios::binary))
   {
     why = "The file " + path + " cannot be written.";
     return false;
   }
-  const std::string ending =
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path));
+  ending = vtksys::SystemTools::LowerCase(ending);
   bool written = false;
   if (ending == ".gim")
   {
-    written = bravais::WriteGim(path, bravais::GixelView(image), why);
+    written = bravais::WriteGim(part, bravais::GixelView(image), why);
   }
   else if (ending == ".vti")
   {
     vtkNew<vtkXMLImageDataWriter> writer;
     writer->SetInputData(image);
-    writer->SetFileName(this->FileName);
+    writer->SetFileName(part.c_str());
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     written = writer->Write() != 0;
@@ -61,12 +66,17 @@ bool vtkGeometryImageWriter::WriteImage(std::string& why)
   }
   else
   {
-    written = bravais::WriteFloatImage(path, bravais::GixelView(image), why);
+    written = bravais::WriteFloatImage(part, bravais::GixelView(image), why);
   }
-  if (!written)
+  vtksys::SystemTools::ReplaceString(why, part, path);
+  this->UpdateProgress(0.9);
+  if (written && !this->GetAbortExecute())
   {
-    vtksys::SystemTools::RemoveFile(path);
+    std::string error;
+    written = OIIO::Filesystem::rename(part, path, error);
+    why = "The file " + path + " cannot be written: " + error + ".";
   }
+  vtksys::SystemTools::RemoveFile(part); // what is left of it
   return written;
 }
 
@@ -74,9 +84,10 @@ bool vtkGeometryImageWriter::WriteImage(std::string& why)
 void vtkGeometryImageWriter::Write()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  this->SetAbortExecute(0);
   this->UpdateProgress(0.0);
   std::string why;
-  if (!this->WriteImage(why))
+  if (!this->GetAbortExecute() && !this->WriteImage(why))
   {
     this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
     vtkErrorMacro(<< why);

@@ -8,6 +8,7 @@
  * and the number type; .gim and pictures (.exr and .tif) keep the positions as 32-bit floats, with
  * NaN for gixels that are not used.
  *
+ * The file is written under another name beside its own and then takes the place of an older one.
  * Errors, and no file: an input that is no geometry image, no FileName, a file that cannot be
  * written, and a format that would not keep floats. Write() then sets the ErrorCode.
  *

@@ -199,6 +199,24 @@ class TestGeometryImageFiles(unittest.TestCase):
         for ending in FORMATS:
             self.check_write(image, make_path("no folder/no" + ending), "cannot be written")
 
+    def test_an_older_file_stays(self):
+        path = write_bytes("old.png", b"old")
+        writer = vtkGeometryImageWriter()
+        writer.SetInputDataObject(make_source())
+        writer.SetFileName(path)
+        with Errors(writer) as errors:
+            writer.Write()
+        self.assertEqual(len(errors.texts), 1)
+        writer.AddObserver("ProgressEvent", lambda *unused: writer.SetAbortExecute(1))
+        for ending in FORMATS:
+            aborted = write_bytes("old" + ending, b"old")
+            writer.SetFileName(aborted)
+            writer.Write()
+            self.assertEqual(writer.GetErrorCode(), 0)
+            for name in path, aborted:
+                with open(name, "rb") as file:
+                    self.assertEqual(file.read(), b"old")
+
     def test_good_after_bad(self):
         reader = make_reader(make_path("missing.gim"))
         refuses(self, reader, "missing.gim")
