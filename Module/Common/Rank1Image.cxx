@@ -120,7 +120,13 @@ std::optional<Rank1Image> ReadRank1Image(vtkImageData* image, std::string& why)
   for (int i = 0; i < 3; ++i)
   {
     const double number = GetNumber(numbers, i);
-    generator[i] = std::abs(number) <= limit ? static_cast<std::int64_t>(number) : 0;
+    if (!(std::abs(number) <= limit) || number != std::trunc(number))
+    {
+      why = "The input's field data have " + std::to_string(number) + " in " + GeneratorName +
+        "; whole numbers were expected.";
+      return std::nullopt;
+    }
+    generator[i] = static_cast<std::int64_t>(number);
   }
   double domain[4];
   for (int i = 0; i < 4; ++i)

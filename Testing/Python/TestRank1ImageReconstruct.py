@@ -4,6 +4,7 @@ import math
 import unittest
 
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from bravais import vtkRank1ImageReconstruct
@@ -197,6 +198,12 @@ class TestRank1ImageReconstruct(unittest.TestCase):
             for i, number in enumerate(generator):
                 image.GetFieldData().GetArray("Rank1.Generator").SetValue(i, number)
             refuses(self, reconstruct(image), *words)
+        for number in 1.5, math.nan, 1e300:
+            image = make_rank1(values, LATTICE)
+            marks = numpy_to_vtk(np.array((97, number, 3)), deep=True)
+            marks.SetName("Rank1.Generator")
+            image.GetFieldData().AddArray(marks)
+            refuses(self, reconstruct(image), "Rank1.Generator", "whole numbers")
         for domain in (0, 0, 0, 1), (1, 0, 0, 1), (0, math.nan, 0, 1), (0, math.inf, 0, 1):
             refuses(self, reconstruct(make_rank1(values, LATTICE, domain=domain)), "The area is")
         for name in "Rank1.Generator", "Rank1.Domain":
