@@ -31,13 +31,14 @@ std::vector<Scalars> GetComponents(
   vtkVolumeTexture* texture, vtkVolumeProperty* property, int count, float normalizer)
 {
   std::vector<Scalars> components;
-  // Colours are looked up as they are.
-  const bool scaled = count <= 2 || property->GetIndependentComponents();
+  // Colours are looked up as they are stored, if they are.
+  const bool stored = normalizer != 0.0f;
+  const bool scaled = count <= 2 || property->GetIndependentComponents() || !stored;
   for (int n = property->GetIndependentComponents() ? 0 : count - 1; n < count; ++n)
   {
     Scalars scalars;
     scalars.Component = n;
-    scalars.Scale = normalizer * (scaled ? texture->Scale[n] : 1.0f);
+    scalars.Scale = (stored ? normalizer : 1.0f) * (scaled ? texture->Scale[n] : 1.0f);
     scalars.Bias = scaled ? texture->Bias[n] : 0.0f;
     components.push_back(scalars);
   }

@@ -227,13 +227,16 @@ float vtkBCCVolumeInput::GetNormalizer() const
   {
     case VTK_UNSIGNED_CHAR:
       return 1.0f / VTK_UNSIGNED_CHAR_MAX;
+    case VTK_CHAR:
     case VTK_SIGNED_CHAR:
       return 1.0f / VTK_SIGNED_CHAR_MAX;
     case VTK_UNSIGNED_SHORT:
       return 1.0f / VTK_UNSIGNED_SHORT_MAX;
     case VTK_SHORT:
       return 1.0f / VTK_SHORT_MAX;
-    default:
+    case VTK_FLOAT:
       return 1.0f;
+    default:
+      return 0.0f;
   }
 }

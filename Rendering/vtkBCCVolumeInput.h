@@ -55,7 +55,8 @@ public:
   /// The box of the samples that the source has, in the lattice coordinates of the whole volume.
   vtkBCCVolumeFrame GetHeldFrame() const;
 
-  /// What makes 0 to 1 of the samples' type, as textures of VTK do for colours.
+  /// What makes 0 to 1 of the samples' type, as textures of VTK do for colours; or 0 for types that
+  /// VTK makes 0 to 1 of each component's range of.
   float GetNormalizer() const;
 
   std::optional<vtkBCCVolumeFrame> Frame; ///< Of the whole volume.

@@ -248,10 +248,6 @@ void vtkBCCVolumeShaderStage::SetVolumeUniforms(
     frame.GetGradientMatrix(toGradient);
     program->SetUniformMatrix3x3("in_bccToGradient", toGradient);
   }
-  if (program->IsUniformUsed("in_bccNormalizer"))
-  {
-    program->SetUniformf("in_bccNormalizer", this->Normalizer);
-  }
   if (program->IsUniformUsed("in_bccLatticePerUnit"))
   {
     program->SetUniform3f("in_bccLatticePerUnit", frame.LatticePerUnit);
@@ -260,6 +256,41 @@ void vtkBCCVolumeShaderStage::SetVolumeUniforms(
   {
     vtkBCCVolumeMask::SetUniforms(program, mapper->GetMaskInput(), frame,
       this->Input->GetHeldFrame(), vtkImageData::SafeDownCast(mapper->GetTransformedInput(0)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeShaderStage::SetColorUniforms(
+  vtkShaderProgram* program, const vtkVolumeTexture* texture) const
+{
+  if (program->IsUniformUsed("in_bccColorScale"))
+  {
+    const bool stored = this->Normalizer != 0.0f;
+    float scale[4];
+    float bias[4];
+    for (int component = 0; component < 4; ++component)
+    {
+      scale[component] = stored ? this->Normalizer : texture->Scale[component];
+      bias[component] = stored ? 0.0f : texture->Bias[component];
+    }
+    program->SetUniform4f("in_bccColorScale", scale);
+    program->SetUniform4f("in_bccColorBias", bias);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBCCVolumeShaderStage::SetCropping(vtkShaderProgram* program,
+  vtkGPUVolumeRayCastMapper* mapper, vtkMatrix4x4* textureToDataset) const
+{
+  if (program->IsUniformUsed("in_bccCroppingPlanes"))
+  {
+    float planes[6];
+    for (int n = 0; n < 6; ++n)
+    {
+      planes[n] = static_cast<float>(
+        mapper->GetCroppingRegionPlanes()[n] - textureToDataset->GetElement(n / 2, 3));
+    }
+    program->SetUniform1fv("in_bccCroppingPlanes", 6, planes);
   }
 }
 
@@ -276,6 +307,8 @@ bool vtkBCCVolumeShaderStage::SetShaderParameters(vtkShaderProgram* program,
   this->SetCells(texture);
   this->SetRayUniforms(program, texture->GetCurrentBlock()->TextureToDataset);
   this->SetVolumeUniforms(program, mapper);
+  this->SetColorUniforms(program, texture);
+  this->SetCropping(program, mapper, texture->GetCurrentBlock()->TextureToDataset);
   if (program->IsUniformUsed("in_bccDepthOpacity"))
   {
     // A translucent surface is picked, but hides nothing.

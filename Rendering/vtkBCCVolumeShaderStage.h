@@ -83,6 +83,9 @@ private:
   void SetRayUniforms(vtkShaderProgram* program, vtkMatrix4x4* textureToDataset);
   void SetVolumeUniforms(vtkShaderProgram* program, vtkGPUVolumeRayCastMapper* mapper);
   void SetPieceUniforms(vtkShaderProgram* program);
+  void SetColorUniforms(vtkShaderProgram* program, const vtkVolumeTexture* texture) const;
+  void SetCropping(vtkShaderProgram* program, vtkGPUVolumeRayCastMapper* mapper,
+    vtkMatrix4x4* textureToDataset) const;
 
   vtkBCCShaderOptions Current;
   vtkRenderer* Renderer = nullptr;
@@ -90,7 +93,7 @@ private:
   vtkBCCVolumeInput* Input = nullptr;
   vtkBCCBrickTexture Bricks;
   vtkBCCCoefficientBuffer Coefficients;
-  float Normalizer = 1.0f; // of stored coefficients, where VTK takes values for colours
+  float Normalizer = 1.0f; // of stored coefficients, where VTK takes values for colours, or 0
   vtkBCCShaderCheck Check;
   vtkBCCProgressiveFrame* Target = nullptr;
 

@@ -14,11 +14,13 @@ float BCCIsoSlope(vec3 texturePosition, vec3 textureStep, out float scalar)
   value.BCC_CHANNELS = EvaluateBoxSpline(BCCPosition(texturePosition), gx, gy, gz);
   slope.BCC_CHANNELS = gx * p.x + gy * p.y + gz * p.z;
   vec4 scale = in_volume_scale[0];
+  vec4 bias = in_volume_bias[0];
 #if BCC_COMPONENTS == 4
-  scale *= in_bccNormalizer;
+  bias += scale * in_bccColorBias;
+  scale *= in_bccColorScale;
 #endif
   int component = BCCIsoComponent();
-  scalar = value[component] * scale[component] + in_volume_bias[0][component];
+  scalar = value[component] * scale[component] + bias[component];
   return slope[component] * scale[component];
 }
 

@@ -4,7 +4,9 @@
 // What takes the place of VTK's look-ups and gradients.
 
 #if BCC_COMPONENTS == 4
-uniform float in_bccNormalizer; // makes colours of stored integers, as VTK's own textures do
+// They make colours of stored values, as VTK's own textures do.
+uniform vec4 in_bccColorScale;
+uniform vec4 in_bccColorBias;
 #endif
 
 #ifdef BCC_SHARED_GRADIENTS
@@ -30,7 +32,7 @@ vec4 BCCLookUp(vec3 texturePosition)
   value.BCC_CHANNELS = EvaluateBoxSpline(BCCPosition(texturePosition), gx, gy, gz);
 #endif
 #if BCC_COMPONENTS == 4
-  value *= in_bccNormalizer;
+  value = value * in_bccColorScale + in_bccColorBias;
 #endif
   return value;
 }

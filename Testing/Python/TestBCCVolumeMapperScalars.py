@@ -122,6 +122,47 @@ class TestBCCVolumeMapperScalars(unittest.TestCase):
         reference = render(vtkBCCVolumeMapper(), image, make_components_property(4, False))
         self.assertLess(numpy.abs(picture - reference).mean(), 1.0)
 
+    def test_dependent_colors_of_types_that_vtk_scales(self):
+        """Of 32 and 64 bits, but floats: each component's range makes a colour."""
+        for dtype in (numpy.int32, numpy.float64):
+            with self.subTest(dtype=dtype):
+                self.compare(4, False, dtype=dtype)
+                self.compare(4, False, "MaximumIntensity", dtype=dtype)
+
+    def test_components_may_become_dependent(self):
+        """And blend modes may follow one another: what is left from before shows nowhere."""
+        image = scenes.make_bcc(waves(2), dtype=numpy.uint8)
+        mapper = vtkBCCVolumeMapper()
+        mapper.SetInputData(image)
+        volume_property = make_components_property(2, True)
+        scene = scenes.Scene(mapper, volume_property, size=64, sample_distance=0.04)
+        for independent, mode in ((True, "Composite"), (False, "Composite"), (False, "Additive"),
+                                  (True, "Additive"), (True, "MaximumIntensity")):
+            volume_property.SetIndependentComponents(independent)
+            getattr(mapper, "SetBlendModeTo" + mode)()
+            fresh = vtkBCCVolumeMapper()
+            fresh.SetInputData(image)
+            getattr(fresh, "SetBlendModeTo" + mode)()
+            numpy.testing.assert_array_equal(scene.render(), scenes.Scene(
+                fresh, volume_property, size=64, sample_distance=0.04).render())
+
+    def test_slices_of_independent_components(self):
+        """VTK's shader for them does not compile. A component without weight is not seen."""
+        plane = vtkPlane()
+        plane.SetNormal(0.5, 0.3, 1)
+        pictures = []
+        for weights in ((1,), (1, 0), (0, 1), (1, 1)):
+            image = scenes.make_bcc(waves(len(weights)))
+            volume_property = make_components_property(len(weights), True)
+            volume_property.SetSliceFunction(plane)
+            for component, weight in enumerate(weights):
+                volume_property.SetComponentWeight(component, weight)
+            pictures.append(render(vtkBCCVolumeMapper(), image, volume_property, "Slice"))
+        self.assertGreater(pictures[0].std(axis=(0, 1)).max(), 10)
+        numpy.testing.assert_array_equal(pictures[1], pictures[0])
+        for other in pictures[:3]:
+            self.assertGreater(numpy.abs(pictures[3] - other).mean(), 1)
+
     def test_isosurface_of_the_heaviest_component(self):
         image = scenes.make_bcc(waves(3), dtype=numpy.float32)
         values = vtk_to_numpy(image.GetPointData().GetScalars())
