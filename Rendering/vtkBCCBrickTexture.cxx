@@ -104,6 +104,8 @@ vtkBCCBrickTexture::Rule vtkBCCBrickTexture::FindRule(
   {
     return Nothing;
   }
+  // An extremum's opacity is that of the gradient where its ray ends, as VTK has it.
+  const bool atEnd = planar || property->HasGradientOpacity();
   switch (mapper->GetBlendMode())
   {
     case vtkVolumeMapper::COMPOSITE_BLEND:
@@ -113,9 +115,9 @@ vtkBCCBrickTexture::Rule vtkBCCBrickTexture::FindRule(
     case vtkVolumeMapper::ISOSURFACE_BLEND:
       return refined && (independent || components == 2) ? IsoValues : Nothing;
     case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
-      return independent ? Maximum : Nothing;
+      return independent && !atEnd ? Maximum : Nothing;
     case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
-      return independent ? Minimum : Nothing;
+      return independent && !atEnd ? Minimum : Nothing;
     default:
       return Nothing;
   }
@@ -155,6 +157,7 @@ bool vtkBCCBrickTexture::Fill(vtkOpenGLGPUVolumeRayCastMapper* mapper, vtkVolume
   const auto type = vtkOpenGLBufferObject::TextureBuffer;
   this->Size = static_cast<vtkIdType>(bytes.size());
   this->Buffer->SetType(type);
+  this->Texture->ResetFormatAndType(); // There may be other channels than before.
   return this->Buffer->Upload(bytes, type) &&
     this->Texture->CreateTextureBuffer(
       count, static_cast<int>(bytes.size() / count), VTK_UNSIGNED_CHAR, this->Buffer);

@@ -113,6 +113,25 @@ class TestBCCVolumeMapperSkipping(unittest.TestCase):
         scene.volume.ReleaseGraphicsResources(scene.window)
         self.compare(scene)
 
+    def test_blend_modes_may_change(self):
+        # Bricks have a byte for what is seen, or one for each component's bound.
+        image = scenes.make_bcc(lambda x, y, z: numpy.stack(
+            [shell(x - 0.15 * c, y, z) for c in range(3)], axis=3))
+        scene = make_scene(image=image)
+        for mode in ("Composite", "MaximumIntensity", "Composite"):
+            getattr(scene.volume.GetMapper(), "SetBlendModeTo" + mode)()
+            self.compare(scene, mode)
+
+    def test_gradients_where_rays_end(self):
+        # VTK multiplies an extremum's opacity by that of the gradient there.
+        for mode in ("MaximumIntensity", "MinimumIntensity"):
+            scene = make_scene(mode, opacities=((0, 0.3), (1, 0.9)))
+            function = vtkPiecewiseFunction()
+            function.AddPoint(0, 0.2)
+            function.AddPoint(0.02, 1)
+            scene.volume.GetProperty().SetGradientOpacity(function)
+            self.compare(scene, mode)
+
     def test_isovalues_may_change(self):
         scene = make_scene("IsoSurface")
         first = self.compare(scene)
