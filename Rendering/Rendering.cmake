@@ -44,6 +44,8 @@ set(BRAVAIS_SHADERS
   bcc8Polynomial
   bccBoxSpline
   bccBricks
+  bccComponents
+  bccCropping
   bccCubicRows
   bccCubicSpline
   bccCubicWeights
@@ -53,6 +55,7 @@ set(BRAVAIS_SHADERS
   bccFindRoot
   bccFrame
   bccGrazing
+  bccHeadlight
   bccIsoSurfaceDec
   bccIsoSurfaceDepth
   bccIsoSurfaceImpl

@@ -34,10 +34,7 @@ void ForEachLight(vtkRenderer* renderer, Function function)
   lights->InitTraversal(place);
   while (vtkLight* light = lights->GetNextLight(place))
   {
-    if (light->GetSwitch())
-    {
-      function(light);
-    }
+    function(light);
   }
 }
 
@@ -140,7 +137,7 @@ bool vtkBCCRenderChecks::CheckShading(
 {
   vtkVolumeProperty* property = volume->GetProperty();
   int lights = 0;
-  ForEachLight(renderer, [&](vtkLight*) { ++lights; });
+  ForEachLight(renderer, [&](vtkLight* light) { lights += light->GetSwitch() ? 1 : 0; });
   if (!property->GetIndependentComponents() && components % 2 == 1)
   {
     why = "IndependentComponents is off and the input's scalars have " +
@@ -158,12 +155,14 @@ bool vtkBCCRenderChecks::CheckShading(
 int vtkBCCRenderChecks::GetLightComplexity(vtkRenderer* renderer)
 {
   int complexity = 0;
+  int on = 0;
   ForEachLight(renderer,
     [&](vtkLight* light)
     {
-      const bool plain =
-        complexity == 0 && light->LightTypeIsHeadlight() && light->GetIntensity() == 1.0;
-      complexity = std::max(complexity, light->GetPositional() ? 3 : plain ? 1 : 2);
+      on += light->GetSwitch() ? 1 : 0;
+      const bool plain = on <= 1 && light->LightTypeIsHeadlight() && light->GetIntensity() == 1.0;
+      const int least = on == 0 ? 0 : plain ? 1 : 2;
+      complexity = std::max(complexity, light->GetPositional() ? 3 : least);
     });
   return complexity;
 }

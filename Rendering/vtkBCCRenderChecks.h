@@ -36,7 +36,8 @@ struct vtkBCCRenderChecks
     vtkRenderer* renderer, vtkVolume* volume, int components, std::string& why);
 
   /// What VTK's shader depends on of the lights: 0 without any, 1 for one plain headlight, 2 for
-  /// others, 3 if one has a position.
+  /// others, 3 if one has a position. Lights that are off count too, after one that is on or if
+  /// they have a position.
   static int GetLightComplexity(vtkRenderer* renderer);
 };
 VTK_ABI_NAMESPACE_END

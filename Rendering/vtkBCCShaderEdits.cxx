@@ -94,6 +94,34 @@ std::vector<std::string> GetMacros(const vtkBCCShaderOptions& options,
   return macros;
 }
 
+// VTK 9.1 does not go back to a simpler kind of lighting once there were lights that need another.
+void EditLights(const vtkBCCShaderOptions& options, std::string& fragment)
+{
+  using Program = vtkShaderProgram;
+  const std::string end = "finalColor.a = color.a;";
+  if (options.LightComplexity == 0 && fragment.find("in_diffuse[component]") != std::string::npos)
+  {
+    Program::Substitute(fragment, end, "finalColor.rgb = vec3(0.0);\n" + end);
+  }
+  else if (options.LightComplexity == 1 && fragment.find("lightNum++") != std::string::npos)
+  {
+    const std::string lighting = "vec4 computeLighting(";
+    Program::Substitute(fragment, lighting, vtkBCCVolumeShaderText::GetHeadlight() + lighting);
+    Program::Substitute(
+      fragment, end, "finalColor.rgb = BCCHeadlight(color.rgb, component, gradient.xyz);\n" + end);
+  }
+  else if (options.LightComplexity == 2)
+  {
+    // As VTK has highlights of lights without a position: the last one's, seen from its direction.
+    if (Program::Substitute(fragment, "normalize(vertLightDirection + viewDirection)",
+          "normalize(vertLightDirection + normalize((in_modelViewMatrix * in_volumeMatrix[0] * "
+          "in_textureDatasetMatrix[0] * vec4(-g_dataPos, 1.0)).xyz))"))
+    {
+      Program::Substitute(fragment, "specular += (sf *", "specular = (sf *");
+    }
+  }
+}
+
 void PutAfter(std::string& fragment, const std::string& tag, const std::string& text)
 {
   vtkShaderProgram::Substitute(fragment, tag, tag + "\n" + text);
@@ -149,6 +177,15 @@ void vtkBCCShaderEdits::EditBefore(const vtkBCCShaderOptions& options,
   if (options.Progressive)
   {
     geometry = Text::GetSmallPicture();
+  }
+  if (mapper->GetCropping())
+  {
+    PutAfter(fragment, "//VTK::Cropping::Dec", Text::GetCropping());
+  }
+  if (mapper->GetBlendMode() == vtkVolumeMapper::SLICE_BLEND && options.Components > 1 &&
+    property->GetIndependentComponents())
+  {
+    PutAfter(fragment, "//VTK::ComputeColor::Dec", Text::GetComponents());
   }
   if (mapper->GetMaskInput())
   {
@@ -225,9 +262,12 @@ bool vtkBCCShaderEdits::EditAfter(
         "(in_textureToEye[0] * vec4(" + gradient + ", 0.0)).xyz", "BCCToEye(" + gradient + ")");
     }
   }
+  EditLights(options, fragment);
   vtkShaderProgram::Substitute(fragment, "texture3D(in_mask, g_dataPos)", "BCCMask(g_dataPos)");
   vtkShaderProgram::Substitute(
     fragment, "maskValue.r * in_mask_scale + in_mask_bias", "BCCLabel(maskValue.r)");
+  vtkShaderProgram::Substitute(
+    fragment, "computeRegion(croppingPlanesTexture, g_dataPos)", "BCCRegion(g_dataPos)");
   if (options.BayerJitter)
   {
     vtkShaderProgram::Substitute(

@@ -31,6 +31,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <limits>
@@ -58,6 +59,7 @@ public:
   vtkNew<vtkBCCVolumeShaderStage> Stage;
   bool HasLabels = false;
   vtkBCCMaskLabels Labels;
+  bool Independent = true; // components, as last rendered
   vtkBCCProgress Progress;
   std::string LastError;
   vtkMTimeType LastErrorTime = 0;
@@ -402,9 +404,11 @@ void vtkBCCVolumeMapper::ShowStandIn(vtkRenderer* renderer, vtkVolume* volume)
     shown = impl.Input.StandIn;
     shown->Register(this);
   }
-  // VTK makes the tables of a label map together with its other resources only.
+  // VTK makes the tables of a label map, and those of components that are no more independent or
+  // have become so, together with its other resources only.
   const bool labels = this->MaskInput && this->MaskType == LabelMapMaskType;
-  if (labels && !impl.HasLabels)
+  const bool independent = volume->GetProperty()->GetIndependentComponents() != 0;
+  if ((labels && !impl.HasLabels) || independent != impl.Independent)
   {
     this->ReleaseGraphicsResources(renderer->GetRenderWindow());
   }
@@ -413,6 +417,7 @@ void vtkBCCVolumeMapper::ShowStandIn(vtkRenderer* renderer, vtkVolume* volume)
     vtkBCCVolumeMask::NoticeFunctions(volume->GetProperty());
   }
   impl.HasLabels = labels;
+  impl.Independent = independent;
   this->LastInputs[0] = this->GetDataSetInput();
 }
 

@@ -8,6 +8,8 @@
 #include "bcc8Polynomial_glsl.h"
 #include "bccBoxSpline_glsl.h"
 #include "bccBricks_glsl.h"
+#include "bccComponents_glsl.h"
+#include "bccCropping_glsl.h"
 #include "bccCubicRows_glsl.h"
 #include "bccCubicSpline_glsl.h"
 #include "bccCubicWeights_glsl.h"
@@ -16,6 +18,7 @@
 #include "bccFindRoot_glsl.h"
 #include "bccFrame_glsl.h"
 #include "bccGrazing_glsl.h"
+#include "bccHeadlight_glsl.h"
 #include "bccIsoSurfaceDec_glsl.h"
 #include "bccIsoSurfaceDepth_glsl.h"
 #include "bccIsoSurfaceImpl_glsl.h"
@@ -154,6 +157,24 @@ const char* const vtkBCCVolumeShaderText::JitterStatement = "g_rayJitter = g_dir
 std::string vtkBCCVolumeShaderText::GetBayerJitter()
 {
   return bayerJitter_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetCropping()
+{
+  return bccCropping_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetComponents()
+{
+  return bccComponents_glsl;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBCCVolumeShaderText::GetHeadlight()
+{
+  return bccHeadlight_glsl;
 }
 
 //------------------------------------------------------------------------------

@@ -47,6 +47,15 @@ struct VTKBRAVAIS_EXPORT vtkBCCVolumeShaderText
   static std::string GetBayerJitter();
   static const char* const JitterStatement;
 
+  /// The region of cropping that a point is in.
+  static std::string GetCropping();
+
+  /// Colours of slices of several independent components.
+  static std::string GetComponents();
+
+  /// Shading by a headlight alone.
+  static std::string GetHeadlight();
+
   /// Values of a mask, which may be on a lattice, and labels if it is a label map.
   static std::string GetMask(bool lattice, bool labels);
 

@@ -62,7 +62,7 @@ bool BCCIsVisible(vec3 texturePosition)
   visible = BCCIsOwned(texturePosition);
 #endif
 #ifdef BCC_CROPPING
-  visible = visible && in_croppingFlags[computeRegion(croppingPlanesTexture, texturePosition)] != 0;
+  visible = visible && in_croppingFlags[BCCRegion(texturePosition)] != 0;
 #endif
 #ifdef BCC_BINARY_MASK
   visible = visible && BCCMask(texturePosition).r > 0.0;

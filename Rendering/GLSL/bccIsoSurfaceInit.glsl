@@ -1,6 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#ifdef BCC_INDEPENDENT
+  // VTK takes isovalues to be in units of the first component's range.
+  for (int i = 0; i < NUMBER_OF_CONTOURS; ++i)
+  {
+    vec2 range = in_scalarsRange[BCCIsoComponent()];
+    l_normValues[i + 1] = (in_isosurfacesValues[i] - range.x) / (range.y - range.x);
+  }
+#endif
   // The first sample is where the ray enters, somewhat before VTK's first, and the last is where the
   // ray leaves the box or meets what ends it. A depth peel starts where the one before it ended.
   {

@@ -75,6 +75,16 @@ class TestBCCVolumeMapperLights(unittest.TestCase):
                     self.assertFalse(any((pictures[1] == other).all() for other in seen))
                     seen.append(pictures[1])
 
+    def test_lights_may_change(self):
+        """What comes after other lights looks as if there had been none of them."""
+        scene = comparison.make_scenes("Composite")[1]
+        for name in ("positional", "two", "headlight", "none", "headlight and another"):
+            set_lights(scene, name)
+            fresh = comparison.make_scenes("Composite")[1]
+            set_lights(fresh, name)
+            difference = numpy.abs(scene.render() - fresh.render())
+            self.assertLessEqual(difference.max(), 1, name)
+
     def test_materials(self):
         def prepare(scene, mapper, volume_property):
             volume_property.SetAmbient(0.3)

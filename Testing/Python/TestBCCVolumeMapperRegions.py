@@ -35,6 +35,27 @@ def get_covered(picture):
     return x.min(), x.max() + 1, y.min(), y.max() + 1
 
 
+def crop_some(mapper):
+    mapper.CroppingOn()
+    mapper.SetCroppingRegionPlanes(-0.4, 0.3, -0.5, 0.6, -0.2, 0.7)
+    mapper.SetCroppingRegionFlags(0x2a5c31b)
+
+
+def crop_middle(mapper):
+    crop_some(mapper)
+    mapper.SetCroppingRegionFlagsToSubVolume()
+
+
+def clip_middle(mapper):
+    """The same by clipping planes."""
+    for axis, (low, high) in enumerate(((-0.4, 0.3), (-0.5, 0.6), (-0.2, 0.7))):
+        for position, sign in ((low, 1), (high, -1)):
+            plane = vtkPlane()
+            plane.SetOrigin(*(position if a == axis else 0 for a in range(3)))
+            plane.SetNormal(*(sign if a == axis else 0 for a in range(3)))
+            mapper.AddClippingPlane(plane)
+
+
 class TestBCCVolumeMapperRegions(unittest.TestCase):
     def make_scene(self, image, mode="Composite"):
         mapper = vtkBCCVolumeMapper()
@@ -113,6 +134,41 @@ class TestBCCVolumeMapperRegions(unittest.TestCase):
         turned.SetOrigin(cosine * x - sine * y, sine * x + cosine * y, -1)
         picture = self.render(turned, turn=-math.degrees(0.4))
         self.assertLess(numpy.abs(picture - reference).mean(), 0.3)
+
+    def test_cropping_of_turned_images(self):
+        """Its planes lie along the volume's axes, however the image's own are turned."""
+        for turn in (numpy.diag((-1, 1, -1)), numpy.array(((0, 0, 1), (1, 0, 0), (0, 1, 0))),
+                     numpy.array(((0.6, -0.8, 0), (0.8, 0.6, 0), (0, 0, 1)))):
+            image = scenes.make_bcc(
+                lambda x, y, z: wave(*numpy.tensordot(turn, (x, y, z), 1)), (30, 30, 60))
+            image.SetDirectionMatrix(*turn.ravel())
+            image.SetOrigin(*turn @ (-1, -1, -1))
+            if numpy.count_nonzero(turn) == 3:
+                reference = self.render(scenes.make_bcc(wave, (30, 30, 60)), prepare=crop_some)
+                picture = self.render(image, prepare=crop_some)
+                self.assertLess(numpy.abs(picture - reference).mean(), 0.5)
+            else:
+                reference = self.render(image, prepare=clip_middle)
+                picture = self.render(image, prepare=crop_middle)
+                self.assertGreater(reference.std(axis=(0, 1)).max(), 10)
+                self.assertLess(numpy.abs(picture - reference).mean(), 0.7)
+
+    def test_slices_of_volumes_that_are_not_scaled_evenly(self):
+        """The plane is where it is in the world, as for a volume that has that shape itself."""
+        plane = vtkPlane()
+        plane.SetOrigin(0.1, 0, 0.2)
+        plane.SetNormal(0.5, 0.3, 1)
+        pictures = []
+        for z in (1, 2):
+            image = scenes.make_bcc(lambda x, y, z: x + z, (6, 6, 12))
+            image.SetSpacing(*(s / (z if a == 2 else 1) for a, s in enumerate(image.GetSpacing())))
+            image.SetOrigin(-1, -1, -1 / z)
+            scene = self.make_scene(image, "Slice")
+            scene.volume.GetProperty().SetSliceFunction(plane)
+            scene.volume.SetScale(1, 1, z)
+            pictures.append(scene.render())
+        self.assertGreater(pictures[0].std(axis=(0, 1)).max(), 10)
+        self.assertLess(numpy.abs(pictures[1] - pictures[0]).mean(), 0.1)
 
     def render(self, image, turn=0, prepare=None):
         tagged = vtkBCCLattice.IsBCC(image)

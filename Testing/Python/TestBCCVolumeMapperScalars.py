@@ -6,7 +6,7 @@ import unittest
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkPlane
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
@@ -181,6 +181,20 @@ class TestBCCVolumeMapperScalars(unittest.TestCase):
             pictures.append(render(vtkBCCVolumeMapper(), volume, volume_property, "IsoSurface"))
         # The components' ranges differ a little, and with them the look-up tables.
         self.assertLess(numpy.abs(pictures[1] - pictures[0]).mean(), 1.0)
+
+    def test_isovalues_are_of_the_heaviest_component(self):
+        """Not in units of the first component's range, whatever that is."""
+        pictures = []
+        for factor in (1, 10):
+            image = scenes.make_bcc(lambda x, y, z: waves(2)(x, y, z) * (factor, 1))
+            volume_property = make_components_property(2, True)
+            volume_property.SetComponentWeight(0, 0.5)
+            volume_property.SetComponentWeight(1, 1)
+            volume_property.GetIsoSurfaceValues().SetValue(0, 100)
+            volume_property.GetIsoSurfaceValues().SetValue(1, 240)
+            pictures.append(render(vtkBCCVolumeMapper(), image, volume_property, "IsoSurface"))
+        self.assertGreater(pictures[0].std(axis=(0, 1)).max(), 5)
+        numpy.testing.assert_array_equal(pictures[1], pictures[0])
 
 
 if __name__ == "__main__":
