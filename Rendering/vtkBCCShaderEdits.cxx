@@ -79,6 +79,7 @@ std::vector<std::string> GetMacros(const vtkBCCShaderOptions& options,
     "BCC_SHARED_GRADIENTS");
   add(options.Piece, "BCC_PIECE");
   add(blend == vtkVolumeMapper::SLICE_BLEND, "BCC_SLICE");
+  add(blend == vtkVolumeMapper::SLICE_BLEND && options.PixelRays, "BCC_CUT_SLICE");
   add(blend == vtkVolumeMapper::ISOSURFACE_BLEND, "BCC_ISOSURFACE");
   const vtkBCCBrickTexture::Rule rule = options.SkipRule;
   const bool extremum = IsExtremum(rule);

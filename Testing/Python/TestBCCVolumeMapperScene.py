@@ -5,7 +5,7 @@ import unittest
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
@@ -66,6 +66,15 @@ class TestBCCVolumeMapperScene(unittest.TestCase):
         for prepare in add, add_and_peel:
             with self.subTest(prepare=prepare):
                 comparison.compare(self, "Composite", 1.0, prepare, shade=False)
+
+    def test_slices_in_depth_peeling(self):
+        def prepare(scene, mapper, volume_property):
+            plane = vtkPlane()
+            plane.SetNormal(0.2, 0.3, 1)
+            volume_property.SetSliceFunction(plane)
+            add_ball(scene, 0.4, (0.3, 0.2, 0.6), 0.4)
+            peel(scene)
+        comparison.compare(self, "Slice", 1.0, prepare, change=False)
 
     def test_sample_distances(self):
         settings = {
