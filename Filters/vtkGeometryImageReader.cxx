@@ -9,6 +9,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkImageReader2.h"
 #include "vtkImageReader2Factory.h"
@@ -106,6 +107,12 @@ bool vtkGeometryImageReader::OpenWithVTK(const std::string& ending, std::string&
   keep->SetCallback(KeepError);
   keep->SetClientData(&own.Errors);
   own.Reader->AddObserver(vtkCommand::ErrorEvent, keep);
+  if (auto* reader = vtkXMLReader::SafeDownCast(own.Reader))
+  {
+    reader->SetParserErrorObserver(keep);
+  }
+  vtkNew<vtkCallbackCommand> ignore; // the executive says no more than that there was an error
+  own.Reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, ignore);
   own.Reader->UpdateInformation();
   vtkInformation* info = own.Reader->GetOutputInformation(0);
   int whole[6] = { 0, -1, 0, -1, 0, -1 };

@@ -149,7 +149,13 @@ class TestGeometryImageFiles(unittest.TestCase):
                 refuses(self, make_reader(path), "broken" + ending)
         with open(write(image, "whole.vti"), "rb") as file:
             data = file.read()
-        refuses(self, make_reader(write_bytes("broken.vti", data[:100])), "broken.vti")
+        for size in 0, 20, 100:
+            reader = make_reader(write_bytes("broken.vti", data[:size]))
+            refuses(self, reader, "broken.vti")
+            with Errors(reader) as errors:
+                reader.Modified()
+                reader.Update()
+            self.assertNotIn("vtkXML", errors.window.GetOutput())  # nothing of VTK's own besides
         text = data.replace(b'"0 39 0 29 0 0"', b'"0 1999999999 0 1999999999 0 0"')
         self.assertNotEqual(text, data)
         refuses(self, make_reader(write_bytes("broken.vti", text)), "2000000000 x 2000000000")
