@@ -12,6 +12,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -179,6 +180,12 @@ void vtkBCCShaderEdits::EditBefore(const vtkBCCShaderOptions& options,
   {
     geometry = Text::GetSmallPicture();
   }
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    const int count = std::max(planes->GetNumberOfItems(), 8);
+    PutBefore(fragment, "//VTK::Clipping::Dec",
+      "#define BCC_CLIPPING_VALUES " + std::to_string(1 + 6 * count));
+  }
   if (mapper->GetCropping())
   {
     PutAfter(fragment, "//VTK::Cropping::Dec", Text::GetCropping());
@@ -241,10 +248,13 @@ bool vtkBCCShaderEdits::EditAfter(
   vtkShaderProgram::Substitute(fragment, "l_minValue[i] < scalar[i]", "l_minValue[i] > scalar[i]");
   vtkShaderProgram::Substitute(
     fragment, "g_srcColor[2] += tmp[3] * tmp[3]", "g_srcColor[3] += tmp[3]");
-  // VTK turns the normal of a slice as if it were a point.
+  // VTK turns the normal of a slice as if it were a point, and takes short ones for none.
   vtkShaderProgram::Substitute(fragment,
     "in_inverseVolumeMatrix[0] * vec4(in_slicePlaneNormal, 0.0)",
-    "transpose(in_volumeMatrix[0]) * vec4(in_slicePlaneNormal, 0.0)");
+    "vec4(normalize(transpose(mat3(in_volumeMatrix[0])) * in_slicePlaneNormal), 0.0)");
+  // VTK has room for eight planes, and reads on behind them.
+  vtkShaderProgram::Substitute(
+    fragment, "in_clippingPlanes[49]", "in_clippingPlanes[BCC_CLIPPING_VALUES]");
   // VTK counts from 1, as its selector once did.
   vtkShaderProgram::Substitute(fragment, "voxelCoords.x + uint(1)", "voxelCoords.x");
   vtkShaderProgram::Substitute(fragment, "uvec3(volumeDim * g_dataPos)",

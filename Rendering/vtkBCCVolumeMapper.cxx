@@ -261,9 +261,19 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
   int cellFlag = 0;
   vtkDataArray* scalars = vtkAbstractMapper::GetScalars(
     image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  scalars = cellFlag == 0 ? scalars : nullptr;
   vtkBCCVolumeInput& input = this->Impl->Input;
-  if (!input.SetSource(image, cellFlag == 0 ? scalars : nullptr, why) ||
-    !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why) ||
+  if (!input.SetSource(image, scalars, why))
+  {
+    if (!scalars && this->ScalarMode >= VTK_SCALAR_MODE_USE_POINT_FIELD_DATA)
+    {
+      why += this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME
+        ? " Selected is the array " + std::string(this->ArrayName ? this->ArrayName : "") + "."
+        : " Selected is the array number " + std::to_string(this->ArrayId) + ".";
+    }
+    return false;
+  }
+  if (!bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why) ||
     !vtkBCCRenderChecks::CheckSampleDistances(this, volume, why) ||
     !vtkBCCRenderChecks::CheckShading(renderer, volume, scalars->GetNumberOfComponents(), why) ||
     !vtkBCCVolumeMask::Check(this, volume->GetProperty(), scalars->GetNumberOfComponents(), why) ||

@@ -88,6 +88,21 @@ class TestBCCVolumeMapperBadInput(unittest.TestCase):
         image.GetPointData().SetScalars(scalars)
         self.check_refused(image, "5 components")
 
+    def test_selected_arrays(self):
+        image = scenes.make_bcc(distance, (8, 8, 8))
+
+        def select(mode, array):
+            def prepare(mapper):
+                mapper.SetScalarMode(mode)
+                mapper.SelectScalarArray(array)
+            return prepare
+        self.check_shown(image, prepare=select(3, 0))
+        self.check_shown(image, prepare=select(3, "Scalars"))
+        for mode in 3, 4, 5:  # point, cell and field data
+            self.check_refused(image, "array Missing", prepare=select(mode, "Missing"))
+            self.check_refused(image, "number 4", prepare=select(mode, 4))
+        self.check_refused(image, "no point scalars", prepare=select(4, "Scalars"))
+
     def test_texture_larger_than_opengl_takes(self):
         self.check_refused(make_tagged((1, 1, 100000)), "texture")
 

@@ -153,6 +153,21 @@ class TestBCCVolumeMapperRegions(unittest.TestCase):
                 self.assertGreater(reference.std(axis=(0, 1)).max(), 10)
                 self.assertLess(numpy.abs(picture - reference).mean(), 0.7)
 
+    def test_more_clipping_planes_than_vtk_has_room_for(self):
+        def clip(count):
+            def prepare(mapper):
+                for number in range(count):
+                    plane = vtkPlane()  # that cuts nothing, but the last
+                    plane.SetOrigin(0.1 if number == count - 1 else -3 - number, 0, 0)
+                    plane.SetNormal(1, 0.2 * (number == count - 1), 0)
+                    mapper.AddClippingPlane(plane)
+            return prepare
+        image = scenes.make_bcc(wave)
+        reference = self.render(image, prepare=clip(1))
+        self.assertGreater(numpy.abs(reference - self.render(image)).mean(), 2)
+        for count in 8, 9, 20:
+            numpy.testing.assert_array_equal(self.render(image, prepare=clip(count)), reference)
+
     def test_slices_of_volumes_that_are_not_scaled_evenly(self):
         """The plane is where it is in the world, as for a volume that has that shape itself."""
         plane = vtkPlane()
