@@ -95,6 +95,10 @@ struct Grid
 int vtkBCCVolumeToImage::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (!vtkImageData::GetData(outputs))
+  {
+    return 1; // of many blocks, each of which is asked by itself
+  }
   vtkInformation* in = inputs[0]->GetInformationObject(0);
   vtkInformation* out = outputs->GetInformationObject(0);
   int whole[6] = { 0, -1, 0, -1, 0, -1 };

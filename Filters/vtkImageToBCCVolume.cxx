@@ -161,6 +161,10 @@ int vtkImageToBCCVolume::Fail(vtkInformationVector* outputVector, const std::str
 int vtkImageToBCCVolume::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!vtkImageData::GetData(outputVector))
+  {
+    return 1; // of many blocks, each of which is asked by itself
+  }
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   bravais::ImageGrid grid;

@@ -130,6 +130,10 @@ bool vtkOrderedDither::CheckParameters(std::string& why) const
 int vtkOrderedDither::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!vtkImageData::GetData(outputVector))
+  {
+    return 1; // of many blocks, each of which is asked by itself
+  }
   std::string why;
   if (!this->CheckParameters(why))
   {

@@ -64,6 +64,10 @@ bool vtkPolyDataToGeometryImage::CheckDimensions(std::string& why)
 int vtkPolyDataToGeometryImage::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
+  if (!vtkImageData::GetData(outputs))
+  {
+    return 1; // of many blocks, each of which is asked by itself
+  }
   std::string why;
   if (!this->CheckDimensions(why))
   {

@@ -119,6 +119,10 @@ const char* vtkRank1ImageReconstruct::GetInterpolationAsString()
 int vtkRank1ImageReconstruct::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!vtkImageData::GetData(outputVector))
+  {
+    return 1; // of many blocks, each of which is asked by itself
+  }
   vtkInformation* out = outputVector->GetInformationObject(0);
   this->GetInputAlgorithm()->UpdateWholeExtent(); // the domain is among the data
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);

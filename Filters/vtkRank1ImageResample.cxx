@@ -94,6 +94,10 @@ bravais::Rank1ResampleParameters GetParameters(vtkRank1ImageResample* self)
 int vtkRank1ImageResample::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!vtkImageData::GetData(outputVector))
+  {
+    return 1; // of many blocks, each of which is asked by itself
+  }
   vtkInformation* out = outputVector->GetInformationObject(0);
   std::string why;
   double direction[9];

@@ -8,8 +8,8 @@ from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageDataStreamer, vtkIm
 
 from bravais import vtkBCCPrefilter, vtkBCCVolumeSource, vtkBCCVolumeToImage
 from checks import (
-    PieceSource, check_numbered_pieces, check_pieces, check_progress, check_threads, make_volume,
-    modify, to_numpy)
+    PieceSource, check_blocks, check_numbered_pieces, check_pieces, check_progress,
+    check_threads, make_volume, modify, to_numpy)
 
 METHODS = [(7, 1), (12, 0), (4, 1), (8, 2), (7, 3)]
 
@@ -134,6 +134,17 @@ class TestBCCVolumeToImagePipeline(unittest.TestCase):
             streamer.SetNumberOfStreamDivisions(6)
             streamer.Update()
             self.assertEqual(to_numpy(streamer.GetOutput()).tobytes(), whole.tobytes())
+
+    def test_blocks(self):
+        volumes = []
+        for number in 5, 8:
+            source = vtkBCCVolumeSource()
+            source.SetDimensions(number, 6, 9)
+            source.SetBounds(-1, 1, -1, number, -1, 1)
+            source.Update()
+            volumes.append(source.GetOutput())
+        for make in vtkBCCPrefilter, vtkBCCVolumeToImage:
+            check_blocks(self, make, volumes)
 
     def test_numbered_pieces(self):
         source = PieceSource(make_volume(make_array(), start=(1, 2, 3)))

@@ -9,8 +9,8 @@ from vtkmodules.vtkImagingCore import (
 
 from bravais import vtkBCCLattice, vtkImageToBCCVolume
 from checks import (
-    check_numbered_pieces, check_pieces, check_progress, check_threads, get_points, make_image,
-    to_numpy)
+    check_blocks, check_numbered_pieces, check_pieces, check_progress, check_threads,
+    get_points, make_image, to_numpy)
 
 TYPES = "int8 uint8 int16 uint16 int32 uint32 int64 uint64 float32 float64".split()
 
@@ -224,6 +224,10 @@ class TestImageToBCCVolumeResample(unittest.TestCase):
                 check_threads(self, resample)
         check_progress(self, make_filter(image))
         check_progress(self, make_filter(image, None, 0.2))
+
+    def test_blocks(self):
+        values = np.random.default_rng(4).normal(size=(9, 8, 11))
+        check_blocks(self, vtkImageToBCCVolume, [make_image(values), make_image(values[2:, :5])])
 
     def test_streaming_gives_the_whole(self):
         resample = make_filter(make_image(make_noise((12, 13, 14)).astype("f4")))

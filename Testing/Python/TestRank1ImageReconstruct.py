@@ -7,9 +7,9 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from bravais import vtkRank1ImageReconstruct
+from bravais import vtkRank1ImageReconstruct, vtkRank1ImageResample
 from checks import (
-    PieceSource, check_progress, check_threads, make_image, refuses, to_numpy)
+    PieceSource, check_blocks, check_progress, check_threads, make_image, refuses, to_numpy)
 from rank1 import TYPES, get_places, make_picture, make_rank1, resample
 
 MODES = [vtkRank1ImageReconstruct.Nearest, vtkRank1ImageReconstruct.Bilinear,
@@ -187,6 +187,17 @@ class TestRank1ImageReconstruct(unittest.TestCase):
                 self.assertGreaterEqual(result.min(), -1e-12)
                 self.assertLessEqual(result.max(), generator[0] - 1 + 1e-12)
                 self.assertAlmostEqual(result.mean(), values.mean(), delta=0.4)
+
+    def test_blocks(self):
+        pictures = [make_image(np.random.default_rng(n).normal(size=(1, n, 9))) for n in (7, 8)]
+        check_blocks(self, vtkRank1ImageResample, pictures)
+        images = []
+        for picture in pictures:
+            rank1 = vtkRank1ImageResample()
+            rank1.SetInputData(picture)
+            rank1.Update()
+            images.append(rank1.GetOutput())
+        check_blocks(self, vtkRank1ImageReconstruct, images)
 
     def test_bad_input(self):
         values = make_noise((1, 1))

@@ -5,7 +5,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import (
     vtkDataArray, vtkLogger, vtkOutputWindow, vtkSMPTools, vtkStringOutputWindow)
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkCommonExecutionModel import (
     vtkAlgorithm, vtkStreamingDemandDrivenPipeline as Pipeline)
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
@@ -182,6 +182,27 @@ def check_numbered_pieces(test, algorithm, count):
             np.testing.assert_array_equal(to_numpy(output), whole[part])
             covered[part] = True
     test.assertTrue(covered.all())
+
+
+def check_blocks(test, make, images):
+    """Each block of a vtkMultiBlockDataSet becomes what it does alone."""
+    blocks = vtkMultiBlockDataSet()
+    for number, image in enumerate(images):
+        blocks.SetBlock(number, image)
+    algorithm = make()
+    algorithm.SetInputDataObject(blocks)
+    algorithm.Update()
+    output = algorithm.GetOutputDataObject(0)
+    test.assertEqual(output.GetNumberOfBlocks(), len(images))
+    for number, image in enumerate(images):
+        alone = make()
+        alone.SetInputDataObject(image)
+        alone.Update()
+        found, expected = output.GetBlock(number), alone.GetOutput()
+        test.assertEqual(found.GetExtent(), expected.GetExtent())
+        test.assertEqual(found.GetSpacing(), expected.GetSpacing())
+        test.assertEqual(found.GetOrigin(), expected.GetOrigin())
+        np.testing.assert_array_equal(to_numpy(found), to_numpy(expected))
 
 
 def check_threads(test, algorithm):
