@@ -68,6 +68,9 @@ std::vector<std::string> GetMacros(const vtkBCCShaderOptions& options,
     "BCC_GRADIENT_OPACITY");
   add(mapper->GetCropping(), "BCC_CROPPING");
   add(binaryMask, "BCC_BINARY_MASK");
+  add(options.Components == 1 && property->GetTransferFunction2D() &&
+      property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D,
+    "BCC_TRANSFER_2D");
   add(manyIndependent, "BCC_INDEPENDENT");
   add(mapper->GetRenderToImage(), "BCC_RENDER_TO_IMAGE");
   // Where VTK looks up a sample's value before its gradient, which has the same coefficients. bcc12

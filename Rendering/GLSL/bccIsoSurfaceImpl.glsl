@@ -47,6 +47,9 @@
           if (BCCIsVisible(g_dataPos))
           {
             vec4 vs = vec4(l_bccIsoValue);
+#ifdef BCC_TRANSFER_2D
+            g_gradients_0[0] = computeGradient(g_dataPos, 0, in_volume[0], 0);
+#endif
             g_srcColor.a = computeOpacity(vs BCC_COMPONENT_ARGUMENT);
             g_srcColor = computeColor(vs, g_srcColor.a BCC_COMPONENT_ARGUMENT);
             g_srcColor.rgb *= g_srcColor.a;

@@ -197,6 +197,8 @@ class TestBCCVolumeMapperSkipping(unittest.TestCase):
         scene.volume.GetProperty().SetTransferFunctionMode(vtkVolumeProperty.TF_2D)
         scene.volume.GetProperty().SetTransferFunction2D(table)
         self.compare(scene, "2D")
+        scene.volume.GetMapper().SetBlendModeToIsoSurface()
+        self.compare(scene, "2D, isosurfaces")
 
     def test_components(self):
         for count, modes in ((2, ("Composite",)), (2, ("MaximumIntensity", "MinimumIntensity")),
