@@ -130,16 +130,20 @@ bool vtkOrderedDither::CheckParameters(std::string& why) const
 int vtkOrderedDither::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkImageData::GetData(outputVector))
-  {
-    return 1; // of many blocks, each of which is asked by itself
-  }
+  vtkImageData* image = vtkImageData::GetData(outputVector);
   std::string why;
   if (!this->CheckParameters(why))
   {
     vtkErrorMacro(<< why);
-    vtkImageData::GetData(outputVector)->Initialize();
+    if (image)
+    {
+      image->Initialize();
+    }
     return 0;
+  }
+  if (!image)
+  {
+    return 1; // of many blocks, each of which is asked by itself
   }
   this->Superclass::RequestInformation(request, inputVector, outputVector);
   vtkInformation* info = outputVector->GetInformationObject(0);
@@ -177,7 +181,7 @@ int vtkOrderedDither::RequestData(vtkInformation* vtkNotUsed(request),
     output->Initialize();
     return 0;
   };
-  if (input->GetNumberOfPoints() < 1)
+  if (!input || input->GetNumberOfPoints() < 1)
   {
     return fail("The input has no points.");
   }

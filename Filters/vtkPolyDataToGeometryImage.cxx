@@ -64,16 +64,20 @@ bool vtkPolyDataToGeometryImage::CheckDimensions(std::string& why)
 int vtkPolyDataToGeometryImage::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  if (!vtkImageData::GetData(outputs))
-  {
-    return 1; // of many blocks, each of which is asked by itself
-  }
+  vtkImageData* image = vtkImageData::GetData(outputs);
   std::string why;
   if (!this->CheckDimensions(why))
   {
     vtkErrorMacro(<< why);
-    vtkImageData::GetData(outputs)->Initialize();
+    if (image)
+    {
+      image->Initialize();
+    }
     return 0;
+  }
+  if (!image)
+  {
+    return 1; // of many blocks, each of which is asked by itself
   }
   const int extent[6] = { 0, this->Dimensions[0] - 1, 0, this->Dimensions[1] - 1, 0, 0 };
   const double origin[3] = { 0.0, 0.0, 0.0 };

@@ -5,12 +5,14 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdTypeArray, vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkImagingCore import vtkImageMapToColors, vtkImageTranslateExtent
 
 from bravais import vtkBayerPattern, vtkBCCLattice, vtkOrderedDither
 from checks import (
-    check_numbered_pieces, check_pieces, check_progress, check_threads, make_image, refuses, to_numpy)
+    Errors, check_numbered_pieces, check_pieces, check_progress, check_threads, make_image, refuses,
+    to_numpy)
 
 TYPES = [np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64, np.uint64,
          np.float32, np.float64]
@@ -62,6 +64,24 @@ def make_noise(shape, dtype=np.float64):
 
 
 class TestOrderedDither(unittest.TestCase):
+    def test_blocks(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, make_image(np.random.default_rng(2).normal(size=(4, 5, 6))))
+        blocks.SetBlock(1, vtkPolyData())
+        dither = vtkOrderedDither()
+        dither.SetInputDataObject(blocks)
+        for levels in 2, 1:  # what is no image, then no levels
+            dither.SetNumberOfLevels(levels)
+            with Errors(dither) as errors:
+                dither.Update()
+            self.assertEqual(len(errors.texts), 1, errors.texts)
+        dither.SetNumberOfLevels(2)
+        with Errors(dither):
+            dither.Update()
+        output = dither.GetOutputDataObject(0)
+        self.assertEqual(output.GetBlock(0).GetNumberOfPoints(), 120)
+        self.assertEqual(output.GetBlock(1).GetNumberOfPoints(), 0)
+
     def test_defaults(self):
         algorithm = vtkOrderedDither()
         self.assertEqual(algorithm.GetNumberOfLevels(), 2)
