@@ -220,6 +220,7 @@ void vtkBCCVolumeShaderStage::SetRayUniforms(
   rays.Compute(this->Renderer, viewport, textureToDataset, this->Volume->GetMatrix());
   rays.SetUniforms(program);
   program->SetUniformi("in_bccBlockSize", 0);
+  program->SetUniformi("in_bccMirrored", textureToDataset->Determinant() < 0.0);
   if (this->Target)
   {
     this->Target->StartTracing(program, rays.GetBounds());

@@ -12,6 +12,13 @@ uniform ivec2 in_bccTile;    // where a small picture begins, and the cell of it
 uniform ivec2 in_bccCell;
 uniform int in_bccBlockSize; // of a small picture, or 0: each fragment is its own pixel
 
+uniform int in_bccMirrored; // whether the image's direction matrix mirrors it
+
+float BCCWindowDepth(vec4 clip)
+{
+  return 0.5 * (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far);
+}
+
 vec2 BCCPixel()
 {
   if (in_bccBlockSize == 0)
@@ -51,6 +58,16 @@ void BCCFindPixelRay()
   ip_inverseTextureDataAdjusted = in_cellToPoint[0] * in_inverseTextureDatasetMatrix[0];
   vec4 clip = in_projectionMatrix *
     (in_modelViewMatrix * (in_volumeMatrix[0] * vec4(ip_vertexPos, 1.0)));
-  float depth = 0.5 * (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far);
+  float depth = BCCWindowDepth(clip);
+  if (in_bccMirrored != 0 && in_bccBlockSize == 0 && enter == start)
+  {
+    // Of such an image VTK draws the far faces of the box as well as where it is cut.
+    vec4 farClip = in_projectionMatrix * (in_modelViewMatrix * (in_volumeMatrix[0] *
+      (in_textureDatasetMatrix[0] * vec4(point + leave * direction, 1.0))));
+    if (abs(gl_FragCoord.z - BCCWindowDepth(farClip)) < abs(gl_FragCoord.z - depth))
+    {
+      discard;
+    }
+  }
   g_bccFragCoord = vec4(pixel + in_bccCorner, depth, 1.0 / clip.w);
 }

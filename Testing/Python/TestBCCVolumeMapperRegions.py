@@ -135,6 +135,25 @@ class TestBCCVolumeMapperRegions(unittest.TestCase):
         picture = self.render(turned, turn=-math.degrees(0.4))
         self.assertLess(numpy.abs(picture - reference).mean(), 0.3)
 
+    def test_mirrored_images_around_the_camera(self):
+        """No ray is drawn twice, for the cut before the camera and the far faces."""
+        pictures = []
+        for sign in 1, -1:
+            image = scenes.make_bcc(lambda x, y, z: wave(sign * x, y, z))
+            image.SetDirectionMatrix(sign, 0, 0, 0, 1, 0, 0, 0, 1)
+            image.SetOrigin(-sign, -1, -1)
+            mapper = vtkBCCVolumeMapper()
+            mapper.SetInputData(image)
+            scene = scenes.Scene(mapper, scenes.make_property(
+                -1, 1, ((-1, 0.02), (1, 0.1)), shade=False), size=64)
+            camera = scene.renderer.GetActiveCamera()
+            camera.SetPosition(0.1, 0.2, 0.3)
+            camera.SetFocalPoint(0, 0, -1)
+            camera.SetClippingRange(0.05, 4)
+            pictures.append(scene.render())
+        self.assertGreater(pictures[0].std(axis=(0, 1)).max(), 5)
+        self.assertLess(numpy.abs(pictures[1] - pictures[0]).mean(), 0.5)
+
     def test_cropping_of_turned_images(self):
         """Its planes lie along the volume's axes, however the image's own are turned."""
         for turn in (numpy.diag((-1, 1, -1)), numpy.array(((0, 0, 1), (1, 0, 0), (0, 1, 0))),
