@@ -62,10 +62,14 @@ endfunction ()
 function (bravais_add_python_tests)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "FILTERS;RENDERING")
   set(environment "PYTHONPATH=${PROJECT_BINARY_DIR}/${BRAVAIS_PYTHON_DIR}")
-  if (BRAVAIS_SANITIZE) # The interpreter itself is not instrumented.
-    execute_process(COMMAND "${CMAKE_CXX_COMPILER}" -print-file-name=libasan.so
-      OUTPUT_VARIABLE asan OUTPUT_STRIP_TRAILING_WHITESPACE)
-    list(APPEND environment "LD_PRELOAD=${asan}")
+  if (BRAVAIS_SANITIZE)
+    # The interpreter itself is not instrumented. Exceptions are watched only if their library is
+    # there from the beginning, too.
+    foreach (library IN ITEMS asan stdc++)
+      execute_process(COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=lib${library}.so"
+        OUTPUT_VARIABLE ${library} OUTPUT_STRIP_TRAILING_WHITESPACE)
+    endforeach ()
+    list(APPEND environment "LD_PRELOAD=${asan}:${stdc++}")
   endif ()
   foreach (test IN LISTS arg_FILTERS arg_RENDERING)
     add_test(NAME "Python.${test}"
