@@ -20,14 +20,15 @@ struct vtkBCCShaderOptions;
 
 struct vtkBCCShaderEdits
 {
-  /// Before VTK puts its own text at its tags. `picking`: for a hardware selection.
+  /// Before VTK puts its own text at its tags.
   static void EditBefore(const vtkBCCShaderOptions& options, vtkGPUVolumeRayCastMapper* mapper,
     vtkVolumeProperty* property, std::string& geometry, std::string& fragment);
 
   /// After that, in a pass of vtkHardwareSelector.
   static void EditPicking(const vtkBCCShaderOptions& options, int pass, std::string& fragment);
 
-  /// After it: statements of VTK's become calls of ours. False if VTK's look-up is not found.
+  /// After it: statements of VTK's become calls of ours. `picking`: for a hardware selection. False
+  /// if VTK's look-up is not found.
   static bool EditAfter(const vtkBCCShaderOptions& options, bool picking, std::string& fragment);
 };
 VTK_ABI_NAMESPACE_END

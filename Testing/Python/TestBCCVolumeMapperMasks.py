@@ -260,11 +260,7 @@ class TestBCCVolumeMapperMasks(unittest.TestCase):
         volume_property = scenes.make_property(0, 2, ((0, 1), (2, 1)), shade=False)
         volume_property.SetSliceFunction(plane)
         scene = scenes.Scene(mapper, volume_property, size=60, sample_distance=0.02)
-        camera = scene.renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetPosition(0, 0, 5)
-        camera.SetParallelScale(1)
-        scene.renderer.ResetCameraClippingRange()
+        scene.look_along_z()
         picture = scene.render()
         return (picture != (26, 26, 51)).any(axis=2)
 

@@ -142,11 +142,7 @@ class TestBCCVolumeMapperTransferFunctions(unittest.TestCase):
         scene = scenes.Scene(mapper, volume_property, size=60)
         scene.volume.SetScale(0.8, 0.7, 2)
         scene.renderer.SetBackground(1, 0, 0)
-        camera = scene.renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetPosition(0, 0, 5)
-        camera.SetParallelScale(1)
-        scene.renderer.ResetCameraClippingRange()
+        scene.look_along_z()
         picture = scene.render()
         y, x = ((n + 0.5) / 30 - 1 for n in numpy.indices((60, 60)))
         z = -0.6 * x - 0.3 * y

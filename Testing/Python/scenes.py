@@ -93,6 +93,14 @@ class Scene:
         camera.SetViewUp(0, 1, 0)
         self.renderer.ResetCamera(BOX)
 
+    def look_along_z(self):
+        """Parallel rays through -1 .. 1 along x and y."""
+        camera = self.renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetPosition(0, 0, 5)
+        camera.SetParallelScale(1)
+        self.renderer.ResetCameraClippingRange()
+
     def render(self):
         self.window.Render()
         return get_picture(self.window)
