@@ -45,6 +45,7 @@ set(BRAVAIS_SHADERS
   bccBoxSpline
   bccBricks
   bccComponents
+  bccCopies
   bccCropping
   bccCubicRows
   bccCubicSpline

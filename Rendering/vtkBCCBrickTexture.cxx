@@ -189,12 +189,7 @@ bool vtkBCCBrickTexture::Activate(vtkShaderProgram* program,
   }
   this->Texture->Activate();
   program->SetUniformi("in_bccBricks", this->Texture->GetTextureUnit());
-  const glm::ivec3& size = bricks.GetSize();
-  const int pitch[2] = { size.x, size.x * size.y };
-  const float last[3] = { static_cast<float>(size.x - 1), static_cast<float>(size.y - 1),
-    static_cast<float>(size.z - 1) };
-  program->SetUniform2i("in_bccBrickPitch", pitch);
-  program->SetUniform3f("in_bccLastBrick", last);
+  program->SetUniform1iv("in_bccBrickCounts", 3, &bricks.GetSize().x);
   return true;
 }
 

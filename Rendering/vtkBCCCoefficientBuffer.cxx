@@ -100,8 +100,7 @@ bool vtkBCCCoefficientBuffer::Fill(vtkOpenGLRenderWindow* window, bravais::BCCKe
   }
   const int pitch = turns * texels.Size.x;
   const int layer = pitch * texels.Size.y;
-  this->Steps = { turns, pitch, layer };
-  this->ToOdd = turns == 2 ? 1 : layer * (texels.Size.z / 2);
+  this->Steps = { turns, pitch, layer, turns == 2 ? 1 : layer * (texels.Size.z / 2) };
   const int channels =
     kernel == bravais::BCCKernel::BCC12 && texels.Components == 1 ? 4 : texels.Components;
   this->Texture->SetContext(window);
@@ -115,8 +114,7 @@ void vtkBCCCoefficientBuffer::Activate(vtkShaderProgram* program)
 {
   this->Texture->Activate();
   program->SetUniformi("in_bccCoefficients", this->Texture->GetTextureUnit());
-  program->SetUniform1iv("in_bccTexelSteps", 3, &this->Steps.x);
-  program->SetUniformi("in_bccTexelToOdd", this->ToOdd);
+  program->SetUniform1iv("in_bccTexelSteps", 4, &this->Steps.x);
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,7 @@
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkNew.h"
 
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkBCCCoefficientTexels;
@@ -55,8 +55,7 @@ public:
 private:
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
-  glm::ivec3 Steps = glm::ivec3(0); // texels from one to the next along each axis
-  int ToOdd = 0;                    // texels from the even point of an index to the odd one
+  glm::ivec4 Steps = glm::ivec4(0); // texels to the next along each axis, and from an even to its odd one
 };
 VTK_ABI_NAMESPACE_END
 

@@ -232,8 +232,13 @@ void vtkBCCVolumeShaderStage::SetVolumeUniforms(
   vtkShaderProgram* program, vtkGPUVolumeRayCastMapper* mapper)
 {
   const vtkBCCVolumeFrame& frame = *this->Input->Frame;
-  program->SetUniform3f("in_bccLow", frame.Low);
-  program->SetUniform3f("in_bccHigh", frame.High);
+  float box[2][3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box[0][axis] = static_cast<float>(frame.Low[axis]);
+    box[1][axis] = static_cast<float>(frame.High[axis] - frame.Low[axis]);
+  }
+  program->SetUniform3fv("in_bccBox", 2, box);
   if (this->Current.Buffer)
   {
     this->Coefficients.Activate(program);
@@ -245,9 +250,9 @@ void vtkBCCVolumeShaderStage::SetVolumeUniforms(
   this->SetPieceUniforms(program);
   if (program->IsUniformUsed("in_bccToGradient"))
   {
-    float toGradient[9];
-    frame.GetGradientMatrix(toGradient);
-    program->SetUniformMatrix3x3("in_bccToGradient", toGradient);
+    float toGradient[3][3];
+    frame.GetGradientMatrix(toGradient[0]);
+    program->SetUniform3fv("in_bccToGradient", 3, toGradient);
   }
   if (program->IsUniformUsed("in_bccLatticePerUnit"))
   {
@@ -264,18 +269,16 @@ void vtkBCCVolumeShaderStage::SetVolumeUniforms(
 void vtkBCCVolumeShaderStage::SetColorUniforms(
   vtkShaderProgram* program, const vtkVolumeTexture* texture) const
 {
-  if (program->IsUniformUsed("in_bccColorScale"))
+  if (program->IsUniformUsed("in_bccColors"))
   {
     const bool stored = this->Normalizer != 0.0f;
-    float scale[4];
-    float bias[4];
+    float colors[2][4];
     for (int component = 0; component < 4; ++component)
     {
-      scale[component] = stored ? this->Normalizer : texture->Scale[component];
-      bias[component] = stored ? 0.0f : texture->Bias[component];
+      colors[0][component] = stored ? this->Normalizer : texture->Scale[component];
+      colors[1][component] = stored ? 0.0f : texture->Bias[component];
     }
-    program->SetUniform4f("in_bccColorScale", scale);
-    program->SetUniform4f("in_bccColorBias", bias);
+    program->SetUniform4fv("in_bccColors", 2, colors);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "bccBoxSpline_glsl.h"
 #include "bccBricks_glsl.h"
 #include "bccComponents_glsl.h"
+#include "bccCopies_glsl.h"
 #include "bccCropping_glsl.h"
 #include "bccCubicRows_glsl.h"
 #include "bccCubicSpline_glsl.h"
@@ -91,7 +92,7 @@ std::string vtkBCCVolumeShaderText::GetRayCast(const std::vector<std::string>& m
   {
     text += Define(macro, "1");
   }
-  return text + bccRayCast_glsl + bccRay_glsl;
+  return text + bccCopies_glsl + bccRayCast_glsl + bccRay_glsl;
 }
 
 //------------------------------------------------------------------------------

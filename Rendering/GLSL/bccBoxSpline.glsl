@@ -6,21 +6,28 @@
 
 void FetchInFrame(BCCFrame frame, out BCC_VALUE c[BCC_STENCIL])
 {
-  BCC_FETCH(BCCEvenTexel(frame.Even), BCCOddTexel(frame.Odd), BCCTexel(frame.Steps[0]),
-    BCCTexel(frame.Steps[1]), BCCTexel(frame.Steps[2]), c);
+  BCC_FETCH(frame.Even, frame.Odd, frame.Step0, frame.Step1, frame.Step2, c);
 }
 
-// The value at a frame's point, and the derivatives along the axes of the lattice coordinates.
+void BCCSwap(bool swap, inout BCC_VALUE a, inout BCC_VALUE b)
+{
+  BCC_VALUE first = a;
+  a = swap ? b : first;
+  b = swap ? first : b;
+}
+
+// The value at a frame's point, and the derivatives along the axes of the lattice coordinates: those
+// along the tetrahedron's, turned by the inverse of P_t R_p (eq. 26).
 BCC_VALUE EvaluateInFrame(BCCFrame frame, BCC_VALUE c[BCC_STENCIL], out BCC_VALUE gx,
   out BCC_VALUE gy, out BCC_VALUE gz)
 {
-  BCC_VALUE g0, g1, g2;
-  BCC_VALUE value = BCC_POLYNOMIAL(frame.Point.x, frame.Point.y, frame.Point.z, c, g0, g1, g2);
-  // The inverse of P_t R_p (eq. 26).
-  mat3 back = mat3(vec3(frame.Steps[0]), vec3(frame.Steps[1]), vec3(frame.Steps[2]));
-  gx = g0 * back[0].x + g1 * back[1].x + g2 * back[2].x;
-  gy = g0 * back[0].y + g1 * back[1].y + g2 * back[2].y;
-  gz = g0 * back[0].z + g1 * back[1].z + g2 * back[2].z;
+  BCC_VALUE value = BCC_POLYNOMIAL(frame.Point.x, frame.Point.y, frame.Point.z, c, gx, gy, gz);
+  BCCSwap(frame.Swapped.z, gx, gy);
+  BCCSwap(frame.Swapped.y, gy, gz);
+  BCCSwap(frame.Swapped.x, gx, gy);
+  gx = frame.Mirrored.x ? -gx : gx;
+  gy = frame.Mirrored.y ? -gy : gy;
+  gz = frame.Mirrored.z ? -gz : gz;
   return value;
 }
 

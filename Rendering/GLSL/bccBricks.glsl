@@ -6,11 +6,14 @@
 // there.
 
 uniform samplerBuffer in_bccBricks;
-uniform ivec2 in_bccBrickPitch; // bricks of a row and of a slice
-uniform vec3 in_bccLastBrick;
 uniform vec3 in_bccBrickOrigin; // of the first brick, in lattice coordinates
+uniform int in_bccBrickCounts[3]; // along each axis
 
 const float BCCBrickEdge = 5.0; // BCCBricks::Edge
+ivec2 g_bccBrickPitch = // bricks of a row and of a slice
+  ivec2(in_bccBrickCounts[0], in_bccBrickCounts[0] * in_bccBrickCounts[1]);
+vec3 g_bccLastBrick =
+  vec3(in_bccBrickCounts[0] - 1, in_bccBrickCounts[1] - 1, in_bccBrickCounts[2] - 1);
 vec3 g_bccBrickStart; // where the ray's first sample is, in bricks, and a step of it
 vec3 g_bccBrickStep;
 vec3 g_bccBrickSamples; // samples from face to face
@@ -20,8 +23,8 @@ float g_bccChecked;     // the first sample that may be in an empty brick
 
 void BCCStartSkipping()
 {
-  vec3 bricks = (in_bccHigh - in_bccLow) / BCCBrickEdge;
-  g_bccBrickStart = (in_bccLow - in_bccBrickOrigin) / BCCBrickEdge + bricks * g_bccStart;
+  vec3 bricks = g_bccBoxSize / BCCBrickEdge;
+  g_bccBrickStart = (g_bccLow - in_bccBrickOrigin) / BCCBrickEdge + bricks * g_bccStart;
   g_bccBrickStep = bricks * g_dirStep;
   g_bccBrickSamples = 1.0 / max(abs(g_bccBrickStep), vec3(1e-9));
   g_bccBrickEntry = vec3(lessThan(g_bccBrickStep, vec3(0.0)));
@@ -35,11 +38,11 @@ void BCCStartSkipping()
 vec4 BCCFetchBrick(out vec3 way)
 {
   vec3 q = g_bccBrickStart + g_bccSample * g_bccBrickStep;
-  vec3 corner = clamp(floor(q), vec3(0.0), in_bccLastBrick);
+  vec3 corner = clamp(floor(q), vec3(0.0), g_bccLastBrick);
   way = abs(q - corner - g_bccBrickEntry);
   ivec3 brick = ivec3(corner);
   return texelFetch(
-    in_bccBricks, brick.x + brick.y * in_bccBrickPitch.x + brick.z * in_bccBrickPitch.y);
+    in_bccBricks, brick.x + brick.y * g_bccBrickPitch.x + brick.z * g_bccBrickPitch.y);
 }
 
 // How many samples after this one are in so many bricks along each axis. Somewhat before the far

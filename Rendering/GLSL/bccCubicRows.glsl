@@ -65,7 +65,7 @@ void AddCubicRow(int first, vec4 x, vec4 dx, float y, float dy, inout CubicSum s
 void AddCubicLayer(int first, CubicWeightsAt w, float z, float dz, inout CubicSum sum)
 {
   CubicSum layer = CubicSum(BCC_VALUE(0.0), BCC_VALUE(0.0), BCC_VALUE(0.0), BCC_VALUE(0.0));
-  int row = in_bccTexelSteps[1];
+  int row = g_bccTexelSteps[1];
   AddCubicRow(first, w.X, w.DX, w.Y.x, w.DY.x, layer);
   AddCubicRow(first + row, w.X, w.DX, w.Y.y, w.DY.y, layer);
   AddCubicRow(first + 2 * row, w.X, w.DX, w.Y.z, w.DY.z, layer);
@@ -84,7 +84,7 @@ void AddCubicCoset(vec3 q, int origin, inout CubicSum sum)
   CubicWeightsAt w = CubicWeightsAt(CubicWeights(t.x), CubicWeights(t.y), CubicWeights(t.z),
     CubicDerivativeWeights(t.x), CubicDerivativeWeights(t.y), CubicDerivativeWeights(t.z));
   int first = origin + BCCTexel(ivec3(low) - 1);
-  int layer = in_bccTexelSteps[2];
+  int layer = g_bccTexelSteps[2];
   AddCubicLayer(first, w, w.Z.x, w.DZ.x, sum);
   AddCubicLayer(first + layer, w, w.Z.y, w.DZ.y, sum);
   AddCubicLayer(first + 2 * layer, w, w.Z.z, w.DZ.z, sum);
@@ -96,7 +96,7 @@ BCC_VALUE EvaluateBoxSpline(vec3 p, out BCC_VALUE gx, out BCC_VALUE gy, out BCC_
 {
   CubicSum sum = CubicSum(BCC_VALUE(0.0), BCC_VALUE(0.0), BCC_VALUE(0.0), BCC_VALUE(0.0));
   AddCubicCoset(0.5 * p, BCCEvenTexel(ivec3(0)), sum);
-  AddCubicCoset(0.5 * (p - 1.0), BCCOddTexel(ivec3(1)), sum);
+  AddCubicCoset(0.5 * (p - 1.0), BCCEvenTexel(ivec3(0)) + BCCTexelToOdd(), sum);
   gx = 0.25 * sum.X;
   gy = 0.25 * sum.Y;
   gz = 0.25 * sum.Z;

@@ -54,7 +54,7 @@ BCC_VALUE EvaluateBoxSpline(vec3 p, out BCC_VALUE gx, out BCC_VALUE gy, out BCC_
   BCC_VALUE value = BCC_VALUE(0.0);
   gx = gy = gz = BCC_VALUE(0.0);
   AddCubicCoset(0.5 * p, BCCEvenTexel(ivec3(0)), value, gx, gy, gz);
-  AddCubicCoset(0.5 * (p - 1.0), BCCOddTexel(ivec3(1)), value, gx, gy, gz);
+  AddCubicCoset(0.5 * (p - 1.0), BCCEvenTexel(ivec3(0)) + BCCTexelToOdd(), value, gx, gy, gz);
   gx *= 0.25;
   gy *= 0.25;
   gz *= 0.25;

@@ -10,14 +10,14 @@ float BCCIsoSlope(vec3 texturePosition, vec3 textureStep, out float scalar)
   BCC_VALUE gx, gy, gz;
   vec4 value = vec4(0.0);
   vec4 slope = vec4(0.0);
-  vec3 p = textureStep * (in_bccHigh - in_bccLow);
+  vec3 p = textureStep * g_bccBoxSize;
   value.BCC_CHANNELS = EvaluateBoxSpline(BCCPosition(texturePosition), gx, gy, gz);
   slope.BCC_CHANNELS = gx * p.x + gy * p.y + gz * p.z;
   vec4 scale = in_volume_scale[0];
   vec4 bias = in_volume_bias[0];
 #if BCC_COMPONENTS == 4
-  bias += scale * in_bccColorBias;
-  scale *= in_bccColorScale;
+  bias += scale * g_bccColorBias;
+  scale *= g_bccColorScale;
 #endif
   int component = BCCIsoComponent();
   scalar = value[component] * scale[component] + bias[component];

@@ -18,7 +18,8 @@ float l_bccScalar;
 vec3 l_bccPositionBefore; // of the sample before the last, or the last where there is none
 float l_bccScalarBefore;
 vec3 l_bccStep; // from it to this one
-float l_bccIsoValue; // that the ray meets next
+vec2 l_bccIsoValues; // that the ray meets next when the scalar falls, and when it rises
+float l_bccIsoValue;  // the one of them that it does meet
 float l_bccSteps; // from the first sample to the ray's end
 bool l_bccFirst;
 bool l_bccLast;
@@ -70,12 +71,16 @@ bool BCCIsVisible(vec3 texturePosition)
   return visible;
 }
 
-// The isovalue that a ray meets next when the scalar rises, or falls. l_initialIndex numbers the
-// interval of l_normValues that the last sample is in.
+// Enters the interval of l_normValues that has this number.
+void BCCEnterInterval(int interval)
+{
+  l_initialIndex = clamp(interval, 0, NUMBER_OF_CONTOURS);
+  l_bccIsoValues = vec2(l_normValues[l_initialIndex], l_normValues[l_initialIndex + 1]);
+}
+
 float BCCNextIsoValue(bool rising)
 {
-  l_initialIndex = clamp(l_initialIndex, 0, NUMBER_OF_CONTOURS);
-  return l_normValues[l_initialIndex + (rising ? 1 : 0)];
+  return rising ? l_bccIsoValues.y : l_bccIsoValues.x;
 }
 
 // Makes a sample the last one.

@@ -16,7 +16,7 @@
         // After a NaN, which compares as neither, the ray starts anew.
         if (l_bccFirst || !(rising || value <= l_bccScalar))
         {
-          l_initialIndex = findIsoSurfaceIndex(value, l_normValues);
+          BCCEnterInterval(findIsoSurfaceIndex(value, l_normValues));
           BCCPassSample(g_dataPos, value);
           BCCPassSample(g_dataPos, value); // There is none before.
           l_bccFirst = false;
@@ -56,7 +56,7 @@
             g_fragColor = (1.0 - g_fragColor.a) * g_srcColor + g_fragColor;
             BCCTakeDepth();
           }
-          l_initialIndex += rising ? 1 : -1;
+          BCCEnterInterval(l_initialIndex + (rising ? 1 : -1));
           l_bccIsoValue = BCCNextIsoValue(rising);
           crossed = (rising ? value > l_bccIsoValue : value < l_bccIsoValue) &&
             g_fragColor.a <= g_opacityThreshold;

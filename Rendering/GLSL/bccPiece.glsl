@@ -19,8 +19,8 @@ bool BCCIsOwned(vec3 texturePosition)
 // former is larger where it misses it.
 vec2 BCCFindPart()
 {
-  vec3 size = in_bccHigh - in_bccLow;
-  vec3 p = in_bccLow + size * g_bccStart;
+  vec3 size = g_bccBoxSize;
+  vec3 p = g_bccLow + size * g_bccStart;
   vec3 rate = size * g_dirStep;
   rate = mix(rate, vec3(1e-9), lessThan(abs(rate), vec3(1e-9)));
   vec3 a = (in_bccPieceLow - p) / rate;

@@ -5,8 +5,9 @@
 
 #if BCC_COMPONENTS == 4
 // They make colours of stored values, as VTK's own textures do.
-uniform vec4 in_bccColorScale;
-uniform vec4 in_bccColorBias;
+uniform vec4 in_bccColors[2];
+vec4 g_bccColorScale = in_bccColors[0];
+vec4 g_bccColorBias = in_bccColors[1];
 #endif
 
 #ifdef BCC_SHARED_GRADIENTS
@@ -32,19 +33,21 @@ vec4 BCCLookUp(vec3 texturePosition)
   value.BCC_CHANNELS = EvaluateBoxSpline(BCCPosition(texturePosition), gx, gy, gz);
 #endif
 #if BCC_COMPONENTS == 4
-  value = value * in_bccColorScale + in_bccColorBias;
+  value = value * g_bccColorScale + g_bccColorBias;
 #endif
   return value;
 }
 
 #ifdef BCC_ANALYTIC_GRADIENTS
-uniform mat3 in_bccToGradient; // from derivatives along lattice coordinates to the volume's system
+uniform vec3 in_bccToGradient[3]; // from derivatives along lattice coordinates to the volume's system
+mat3 g_bccToGradient = mat3(in_bccToGradient[0], in_bccToGradient[1], in_bccToGradient[2]);
+mat3 g_bccToEye = transpose(mat3(in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix));
 
 // The direction of a gradient in the volume's own system as seen from the camera. VTK's lights need
 // it; it would take texture coordinates for it, and shade long boxes wrongly.
 vec3 BCCToEye(vec3 gradient)
 {
-  return transpose(mat3(in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix)) * gradient;
+  return g_bccToEye * gradient;
 }
 
 // VTK's function of this name takes differences. Here c is the component; the other arguments are
@@ -64,7 +67,7 @@ vec4 computeGradient(in vec3 texPos, in int c, in sampler3D volume, in int index
 #else
   vec3 gradient = vec3(gx[c], gy[c], gz[c]);
 #endif
-  gradient = in_bccToGradient * gradient;
+  gradient = g_bccToGradient * gradient;
 #ifdef BCC_GRADIENT_OPACITY
   vec3 edge = in_cellSpacing[0];
   float range = in_scalarsRange[c].y - in_scalarsRange[c].x;

@@ -5,25 +5,36 @@
 // coefficient (vtkBCCVolumeFrame, vtkBCCCoefficientTexels). A texel is told by its place in a 3D
 // texture, or by its number in a buffer.
 
-uniform vec3 in_bccLow; // the volume's box in lattice coordinates
-uniform vec3 in_bccHigh;
-uniform int in_bccOriginTexel[3];  // of the lattice point 0: the halo, or before a piece's texels
+// Uniforms that each sample needs are copied as the ray starts, here and in later files: Mesa's
+// software renderer reads a uniform wherever it is named, by 25 instructions a number. They are
+// copied from elements of arrays, as its compiler undoes copies of whole variables.
+uniform vec3 in_bccBox[2];        // the volume's low corner in lattice coordinates, and its size
+uniform int in_bccOriginTexel[3]; // of the lattice point 0: the halo, or before a piece's texels
+vec3 g_bccLow = in_bccBox[0];
+vec3 g_bccBoxSize = in_bccBox[1];
+ivec3 g_bccOriginTexel = ivec3(in_bccOriginTexel[0], in_bccOriginTexel[1], in_bccOriginTexel[2]);
 
 // Lattice coordinates of texture coordinates. They are kept in the box: the halo ends beyond.
 vec3 BCCPosition(vec3 texturePosition)
 {
-  return mix(in_bccLow, in_bccHigh, clamp(texturePosition, 0.0, 1.0));
+  return g_bccLow + clamp(texturePosition, 0.0, 1.0) * g_bccBoxSize;
 }
 
+// A step along an axis from a texel to the next of its coset, and a step from the texel of the even
+// point 2 i to that of the odd point 2 i + 1.
 #ifdef BCC_BUFFER
 #define BCC_TEXEL int
 uniform samplerBuffer in_bccCoefficients;
-uniform int in_bccTexelSteps[3]; // along each axis
-uniform int in_bccTexelToOdd;    // from the even point of an index to the odd one
+uniform int in_bccTexelSteps[4]; // along each axis, and to the odd point
+ivec3 g_bccTexelSteps = ivec3(in_bccTexelSteps[0], in_bccTexelSteps[1], in_bccTexelSteps[2]);
+int g_bccTexelToOdd = in_bccTexelSteps[3];
+
+#define BCCTexelStep(axis) g_bccTexelSteps[axis]
+#define BCCTexelToOdd() g_bccTexelToOdd
 
 int BCCTexel(ivec3 v)
 {
-  return v.x * in_bccTexelSteps[0] + v.y * in_bccTexelSteps[1] + v.z * in_bccTexelSteps[2];
+  return v.x * g_bccTexelSteps[0] + v.y * g_bccTexelSteps[1] + v.z * g_bccTexelSteps[2];
 }
 
 BCC_VALUE BCCCoefficient(int texel)
@@ -32,8 +43,11 @@ BCC_VALUE BCCCoefficient(int texel)
 }
 #else
 #define BCC_TEXEL ivec3
-#define BCCTexel(v) (v)
 uniform int in_bccCosetDepth; // slices of one coset
+
+#define BCCTexelStep(axis) ivec3(equal(ivec3(axis), ivec3(0, 1, 2)))
+#define BCCTexelToOdd() ivec3(0, 0, in_bccCosetDepth)
+#define BCCTexel(v) (v)
 
 BCC_VALUE BCCCoefficient(ivec3 texel)
 {
@@ -41,18 +55,8 @@ BCC_VALUE BCCCoefficient(ivec3 texel)
 }
 #endif
 
-// The texels of an even lattice point, and of an odd one.
-BCC_TEXEL BCCEvenTexel(ivec3 point)
+// The texel of the even lattice point 2 i.
+BCC_TEXEL BCCEvenTexel(ivec3 i)
 {
-  ivec3 origin = ivec3(in_bccOriginTexel[0], in_bccOriginTexel[1], in_bccOriginTexel[2]);
-  return BCCTexel((point >> 1) + origin);
-}
-
-BCC_TEXEL BCCOddTexel(ivec3 point)
-{
-#ifdef BCC_BUFFER
-  return BCCEvenTexel(point) + in_bccTexelToOdd;
-#else
-  return BCCEvenTexel(point) + ivec3(0, 0, in_bccCosetDepth);
-#endif
+  return BCCTexel(i + g_bccOriginTexel);
 }
