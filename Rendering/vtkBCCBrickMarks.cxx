@@ -100,7 +100,7 @@ std::vector<std::uint8_t> vtkBCCBrickMarks::FindDistances(
     return false;
   };
   std::vector<std::uint8_t> marks = MarkAll(bricks, isSeen);
-  bravais::FindBrickDistances(bricks.GetSize(), marks);
+  bravais::FindSignedBrickDistances(bricks.GetSize(), marks);
   return marks;
 }
 
@@ -122,7 +122,7 @@ std::vector<std::uint8_t> vtkBCCBrickMarks::FindDistances(
     return false;
   };
   std::vector<std::uint8_t> marks = MarkAll(bricks, isMet);
-  bravais::FindBrickDistances(bricks.GetSize(), marks);
+  bravais::FindSignedBrickDistances(bricks.GetSize(), marks);
   return marks;
 }
 

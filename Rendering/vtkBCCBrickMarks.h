@@ -37,11 +37,12 @@ struct vtkBCCBrickMarks
     std::vector<bool> Seen;
   };
 
-  /// Distances to bricks where any of the components is seen (bravais::FindBrickDistances).
+  /// Distances to bricks where any of the components is seen, and from these to others
+  /// (bravais::FindSignedBrickDistances).
   static std::vector<std::uint8_t> FindDistances(
     const bravais::BCCBricks& bricks, const std::vector<Scalars>& components);
 
-  /// Distances to bricks where a component may have any of these values.
+  /// The same of bricks where a component may have any of these values.
   static std::vector<std::uint8_t> FindDistances(
     const bravais::BCCBricks& bricks, const std::vector<double>& values);
 

@@ -70,4 +70,21 @@ void FindBrickDistances(const glm::ivec3& size, std::vector<std::uint8_t>& brick
   }
 }
 
+//------------------------------------------------------------------------------
+void FindSignedBrickDistances(const glm::ivec3& size, std::vector<std::uint8_t>& bricks)
+{
+  std::vector<std::uint8_t> toUnmarked = bricks;
+  for (std::uint8_t& brick : toUnmarked)
+  {
+    brick = brick == 0 ? 1 : 0;
+  }
+  FindBrickDistances(size, toUnmarked);
+  FindBrickDistances(size, bricks);
+  for (std::size_t n = 0; n < bricks.size(); ++n)
+  {
+    bricks[n] = static_cast<std::uint8_t>(
+      128 + std::min<int>(bricks[n], 127) - std::min<int>(toUnmarked[n], 128));
+  }
+}
+
 } // namespace bravais

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The bricks (BCCBricks) along a ray. A brick's texel is the distance to the next brick that matters,
-// in bricks along the axis where it is largest; or, with BCC_SKIP_EXTREMUM, bounds of the scalars
-// there.
+// or from one that does to the next that does not (FindSignedBrickDistances); or, with
+// BCC_SKIP_EXTREMUM, bounds of the scalars there.
 
 uniform samplerBuffer in_bccBricks;
 uniform vec3 in_bccBrickOrigin; // of the first brick, in lattice coordinates

@@ -5,22 +5,31 @@
 
 bool g_bccLeft; // whether a leap went beyond the last sample
 
-// The number of bricks along each axis, from a brick on, that are empty; 0 if it is not itself.
+// The number of bricks along each axis, from a brick on, that are empty; or, if it is not itself, minus
+// the number of those that are not, as far as is known.
 float BCCCountEmptyBricks(vec4 texel)
 {
 #ifdef BCC_SKIP_EXTREMUM
   return BCCIsBeaten(texel) ? 1.0 : 0.0;
 #else
-  return floor(255.0 * texel.r + 0.5);
+  return floor(255.0 * texel.r + 0.5) - 128.0;
 #endif
 }
 
-// How many samples after this one are in the same empty bricks, or -1 if its own is not empty.
+// The same in samples after this one; -1 if its brick is not empty.
 float BCCCountEmptySamples()
 {
-  vec3 way;
-  float count = BCCCountEmptyBricks(BCCFetchBrick(way));
-  return count > 0.0 ? BCCCountSamples(way, count) : -1.0;
+  float samples = -1.0;
+  // It is passed once, or not at all: there are machines that compute the branches of an if in any case.
+  while (samples < 0.0 && g_bccSample >= g_bccChecked)
+  {
+    vec3 way;
+    float count = BCCCountEmptyBricks(BCCFetchBrick(way));
+    float within = BCCCountSamples(way, max(abs(count), 1.0));
+    samples = count > 0.0 ? within : -1.0;
+    g_bccChecked = count > 0.0 ? g_bccChecked : g_bccSample + within + 1.0;
+  }
+  return samples;
 }
 
 // Passes some samples. Whether that is beyond the last, as VTK ends a ray: after the sample before.
@@ -41,7 +50,7 @@ void BCCSkipEmpty()
   {
     vec3 way;
     float count = BCCCountEmptyBricks(BCCFetchBrick(way));
-    float next = g_bccSample + BCCCountSamples(way, max(count, 1.0)) + 1.0;
+    float next = g_bccSample + BCCCountSamples(way, max(abs(count), 1.0)) + 1.0;
     g_bccChecked = count > 0.0 ? g_bccChecked : next;
     g_bccSample = count > 0.0 ? next : g_bccSample;
   }

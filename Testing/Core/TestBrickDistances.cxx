@@ -65,3 +65,33 @@ TEST(TestBrickDistances, EndAt255)
     ASSERT_EQ(bricks[n], std::min<std::size_t>(n, 255));
   }
 }
+
+TEST(TestBrickDistances, WithSignsTellOfMarkedBricksToo)
+{
+  std::mt19937 random(2);
+  const glm::ivec3 size(9, 8, 7);
+  std::vector<std::uint8_t> marks(static_cast<std::size_t>(size.x * size.y * size.z));
+  std::generate(
+    marks.begin(), marks.end(), [&] { return static_cast<std::uint8_t>(random() % 7 != 0); });
+  std::vector<std::uint8_t> signs = marks;
+  FindSignedBrickDistances(size, signs);
+  std::vector<std::uint8_t> others = marks;
+  std::transform(others.begin(), others.end(), others.begin(),
+    [](std::uint8_t mark) { return static_cast<std::uint8_t>(!mark); });
+  FindBrickDistances(size, marks);
+  FindBrickDistances(size, others);
+  for (std::size_t n = 0; n < signs.size(); ++n)
+  {
+    ASSERT_EQ(signs[n], 128 + marks[n] - others[n]);
+  }
+}
+
+TEST(TestBrickDistances, WithSignsEndAtAByte)
+{
+  std::vector<std::uint8_t> bricks(400);
+  FindSignedBrickDistances({ 1, 400, 1 }, bricks);
+  EXPECT_EQ(bricks, std::vector<std::uint8_t>(400, 255));
+  bricks.assign(400, 3);
+  FindSignedBrickDistances({ 400, 1, 1 }, bricks);
+  EXPECT_EQ(bricks, std::vector<std::uint8_t>(400, 0));
+}
