@@ -3,6 +3,7 @@
 #include "vtkBCCRenderChecks.h"
 
 #include "vtkCellData.h"
+#include "vtkContourValues.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -44,6 +45,12 @@ bool StartsAtZero(const int extent[6])
   return extent[0] == 0 && extent[2] == 0 && extent[4] == 0;
 }
 
+bool HasNan(vtkContourValues* values)
+{
+  return std::any_of(values->GetValues(), values->GetValues() + values->GetNumberOfContours(),
+    [](double value) { return std::isnan(value); });
+}
+
 bool HasScalars(vtkImageData* image)
 {
   return image->GetNumberOfCells() > 0 &&
@@ -64,6 +71,10 @@ bool vtkBCCRenderChecks::Check(
   else if (mode < vtkVolumeMapper::COMPOSITE_BLEND || mode > vtkVolumeMapper::SLICE_BLEND)
   {
     why = "BlendMode is " + std::to_string(mode) + "; it has to be 0 (composite) to 6 (slice).";
+  }
+  else if (mode == vtkVolumeMapper::ISOSURFACE_BLEND && HasNan(property->GetIsoSurfaceValues()))
+  {
+    why = "One of the property's IsoSurfaceValues is nan; they have to be numbers.";
   }
   else if (mapper->GetUseDepthPass() && mode == vtkVolumeMapper::COMPOSITE_BLEND)
   {

@@ -365,9 +365,9 @@ void vtkBCCVolumeMapper::FinishPass(
       vtkOpenGLShaderProperty::SafeDownCast(volume->GetShaderProperty()));
   };
   const bool complete = !frame || frame->Finish(drawBox);
-  if (!this->IsShown(renderer))
+  if (renderer->GetSelector() || this->GeneratingCanonicalView)
   {
-    return;
+    return; // It is no picture that anybody waits for.
   }
   if (!this->ProgressiveRefinement)
   {

@@ -140,6 +140,13 @@ class TestBCCVolumeMapperBadSettings(unittest.TestCase):
         self.mapper.SetImageSampleDistance(1)
         self.check_shown()
 
+    def test_isovalues(self):
+        self.mapper.SetBlendModeToIsoSurface()
+        self.property.GetIsoSurfaceValues().SetValue(1, math.nan)
+        self.check_refused("IsoSurfaceValues is nan")
+        self.property.GetIsoSurfaceValues().SetNumberOfContours(1)
+        self.check_shown()
+
     def test_mask_without_labels(self):
         self.mapper.SetMaskInput(vtkImageData())
         self.check_refused("mask")

@@ -118,6 +118,14 @@ class TestBCCVolumeMapperProgressive(unittest.TestCase):
         scene.window.Render()
         self.assertFalse(mapper.GetProgressComplete())
 
+        mapper.RenderToImageOn()
+        scene.window.Render()
+        self.assertTrue(mapper.GetProgressComplete())
+        mapper.RenderToImageOff()
+        scene.window.Render()
+        self.assertFalse(mapper.GetProgressComplete())
+        self.assertEqual(refine(scene), 16 - 2)  # The passes before were left alone.
+
         scene.renderer.SetUseDepthPeeling(True)
         scene.renderer.SetUseDepthPeelingForVolumes(True)
         add_sphere(scene, -0.5, 0.4)
