@@ -219,7 +219,7 @@ public:
    *
    * Drawn at once and complete are pictures with an ImageSampleDistance other than 1, those of other
    * render passes, such as depth peeling of volumes, and RenderToImage's. Selections and canonical
-   * views are drawn at once too, and leave the passes alone, as RenderToImage does.
+   * views are drawn at once too, and leave the passes alone.
    */
   vtkSetMacro(ProgressiveRefinement, bool);
   vtkGetMacro(ProgressiveRefinement, bool);

@@ -55,7 +55,7 @@ void vtkBCCVolumeRays::Compute(vtkRenderer* renderer, const int viewport[4],
   vtkMatrix3x3* normals = nullptr;
   vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
     ->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
-  vtkNew<vtkMatrix4x4> textureToClip;
+  vtkMatrix4x4* textureToClip = this->TextureToClip;
   vtkMatrix4x4::Multiply4x4(volumeToWorld, textureToVolume, textureToClip);
   textureToClip->Transpose();
   vtkMatrix4x4::Multiply4x4(textureToClip, worldToClip, textureToClip);
@@ -81,8 +81,9 @@ void vtkBCCVolumeRays::Compute(vtkRenderer* renderer, const int viewport[4],
   pixelToClip->SetElement(3, 0, -1.0);
   pixelToClip->SetElement(3, 1, -1.0);
   pixelToClip->SetElement(3, 2, depth);
-  textureToClip->Invert();
-  vtkMatrix4x4::Multiply4x4(pixelToClip, textureToClip, this->PixelToTexture);
+  vtkNew<vtkMatrix4x4> clipToTexture;
+  vtkMatrix4x4::Invert(textureToClip, clipToTexture);
+  vtkMatrix4x4::Multiply4x4(pixelToClip, clipToTexture, this->PixelToTexture);
 
   // Homogeneous coordinates may have any factor: one that floats can hold.
   double* entries = this->PixelToTexture->GetData();
@@ -107,6 +108,7 @@ void vtkBCCVolumeRays::Compute(vtkRenderer* renderer, const int viewport[4],
 void vtkBCCVolumeRays::SetUniforms(vtkShaderProgram* program) const
 {
   program->SetUniformMatrix("in_bccRay", this->PixelToTexture.Get());
+  program->SetUniformMatrix("in_bccToClip", this->TextureToClip.Get());
   program->SetUniformf("in_bccNear", this->Near);
   program->SetUniform2f("in_bccCorner", this->Corner);
 }

@@ -43,7 +43,8 @@ public:
 private:
   void ComputeBounds(vtkMatrix4x4* textureToClip, const int viewport[4]);
 
-  vtkNew<vtkMatrix4x4> PixelToTexture; // transposed, as VTK passes matrices on
+  vtkNew<vtkMatrix4x4> PixelToTexture; // Both are transposed, as VTK passes matrices on.
+  vtkNew<vtkMatrix4x4> TextureToClip;
   float Near = -1.0f;
   std::array<double, 4> Bounds{ { 0.0, 0.0, 0.0, 0.0 } };
   float Corner[2] = { 0.0f, 0.0f };

@@ -4,15 +4,15 @@
 // The ray of a pixel, by the pixel's place alone: VTK interpolates it between vertices of the box,
 // which is not the same to the bit in a picture of fewer pixels.
 
-uniform mat4 in_bccRay;     // (x, y, z, 1), pixels of the viewport and depth from the box's middle, to
-                            // homogeneous texture coordinates
-uniform float in_bccNear;   // the depth where the box is cut before the camera, from there
-uniform vec2 in_bccCorner;  // of the viewport in the window
+uniform mat4 in_bccRay;      // (x, y, z, 1), pixels of the viewport and depth from the box's middle,
+                             // to homogeneous texture coordinates
+uniform mat4 in_bccToClip;   // texture coordinates to clip coordinates
+uniform float in_bccNear;    // the depth where the box is cut before the camera, from its middle
+uniform vec2 in_bccCorner;   // of the viewport in the window
 uniform ivec2 in_bccTile;    // where a small picture begins, and the cell of its blocks that it shows
 uniform ivec2 in_bccCell;
 uniform int in_bccBlockSize; // of a small picture, or 0: each fragment is its own pixel
-
-uniform int in_bccMirrored; // whether the image's direction matrix mirrors it
+uniform int in_bccMirrored;  // whether the image's direction matrix mirrors it
 
 float BCCWindowDepth(vec4 clip)
 {
@@ -56,14 +56,12 @@ void BCCFindPixelRay()
   ip_textureCoords = clamp(point + enter * direction, in_texMin[0], in_texMax[0]);
   ip_vertexPos = (in_textureDatasetMatrix[0] * vec4(ip_textureCoords, 1.0)).xyz;
   ip_inverseTextureDataAdjusted = in_cellToPoint[0] * in_inverseTextureDatasetMatrix[0];
-  vec4 clip = in_projectionMatrix *
-    (in_modelViewMatrix * (in_volumeMatrix[0] * vec4(ip_vertexPos, 1.0)));
+  vec4 clip = in_bccToClip * vec4(ip_textureCoords, 1.0);
   float depth = BCCWindowDepth(clip);
   if (in_bccMirrored != 0 && in_bccBlockSize == 0 && enter == start)
   {
     // Of such an image VTK draws the far faces of the box as well as where it is cut.
-    vec4 farClip = in_projectionMatrix * (in_modelViewMatrix * (in_volumeMatrix[0] *
-      (in_textureDatasetMatrix[0] * vec4(point + leave * direction, 1.0))));
+    vec4 farClip = in_bccToClip * vec4(point + leave * direction, 1.0);
     if (abs(gl_FragCoord.z - BCCWindowDepth(farClip)) < abs(gl_FragCoord.z - depth))
     {
       discard;

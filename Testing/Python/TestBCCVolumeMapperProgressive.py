@@ -124,7 +124,7 @@ class TestBCCVolumeMapperProgressive(unittest.TestCase):
         mapper.RenderToImageOff()
         scene.window.Render()
         self.assertFalse(mapper.GetProgressComplete())
-        self.assertEqual(refine(scene), 16 - 2)  # The passes before were left alone.
+        self.assertEqual(refine(scene), 16 - 1)
 
         scene.renderer.SetUseDepthPeeling(True)
         scene.renderer.SetUseDepthPeelingForVolumes(True)
