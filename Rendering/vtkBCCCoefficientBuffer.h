@@ -55,7 +55,8 @@ public:
 private:
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
-  glm::ivec4 Steps = glm::ivec4(0); // texels to the next along each axis, and from an even to its odd one
+  // Texels to the next along each axis, and from the even point of an index to the odd one.
+  glm::ivec4 Steps = glm::ivec4(0);
 };
 VTK_ABI_NAMESPACE_END
 

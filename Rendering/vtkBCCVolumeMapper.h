@@ -217,9 +217,9 @@ public:
    * shown in, have all their rays. When it becomes true at the end of a pass, ProgressCompleteEvent
    * is invoked; from within no picture can be rendered.
    *
-   * Drawn at once and complete are pictures with an ImageSampleDistance other than 1, those of other
-   * render passes, such as depth peeling of volumes, and RenderToImage's. Selections and canonical
-   * views are drawn at once too, and leave the passes alone.
+   * Drawn at once and complete are pictures with an ImageSampleDistance other than 1, those of
+   * other render passes, such as depth peeling of volumes, and RenderToImage's. Selections and
+   * canonical views are drawn at once too, and leave the passes alone.
    */
   vtkSetMacro(ProgressiveRefinement, bool);
   vtkGetMacro(ProgressiveRefinement, bool);

@@ -10,15 +10,16 @@
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <limits>
+#include <locale>
+#include <sstream>
 
 namespace
 {
 constexpr int MaximumPoints = 1 << 24; // of a lattice: floats tell integers apart up to there
 constexpr int MostLog2Columns = 12;
-constexpr int ReservedUniforms = 512; // left to VTK's lights, clipping planes ...
 
 /// The value of a full colour or opacity.
 double GetOne(int type)
@@ -189,20 +190,11 @@ bool vtkRank1TextureInput::IsTranslucent() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkRank1TextureInput::Fold(int maximumSize, int maximumUniforms, std::string& why)
+bool vtkRank1TextureInput::Fold(int maximumSize, std::string& why)
 {
   if (this->Rows > 0)
   {
     return true;
-  }
-  const auto levels = static_cast<int>(this->Texels.size());
-  const int uniforms = 5 * 4 * levels;
-  if (uniforms > maximumUniforms - ReservedUniforms)
-  {
-    why = "The texture has " + std::to_string(levels) + " levels; at most " +
-      std::to_string((maximumUniforms - ReservedUniforms) / 20) +
-      " were expected by this GPU's shaders.";
-    return false;
   }
   vtkIdType total = 0;
   for (vtkDataArray* texels : this->Texels)
@@ -238,7 +230,7 @@ bool vtkRank1TextureInput::Fold(int maximumSize, int maximumUniforms, std::strin
     }
   }
   this->Rows = static_cast<int>(rows);
-  for (int level = 0; level < levels; ++level)
+  for (std::size_t level = 0; level < this->Texels.size(); ++level)
   {
     this->Index[level][3] = static_cast<float>(this->FirstRows[level]);
   }
@@ -246,23 +238,30 @@ bool vtkRank1TextureInput::Fold(int maximumSize, int maximumUniforms, std::strin
 }
 
 //------------------------------------------------------------------------------
-void vtkRank1TextureInput::SetUniforms(vtkShaderProgram* program) const
+std::string vtkRank1TextureInput::GetConstants() const
 {
-  const auto set = [program](const char* name, const Numbers& numbers)
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<float>::max_digits10);
+  const auto declare = [&text](const char* name, const Numbers& numbers)
   {
-    if (program->IsUniformUsed(name))
+    text << "const vec4 " << name << "[] = vec4[](";
+    const char* separator = "";
+    for (const std::array<float, 4>& four : numbers)
     {
-      program->SetUniform4fv(name, static_cast<int>(numbers.size()), numbers[0].data());
+      text << separator << "vec4(" << four[0] << ", " << four[1] << ", " << four[2] << ", "
+           << four[3] << ")";
+      separator = ", ";
     }
+    text << ");\n";
   };
-  set("in_rank1ToBasis", this->ToBasis);
-  set("in_rank1Index", this->Index);
-  set("in_rank1Shares", this->Shares);
-  set("in_rank1Basis", this->Basis);
-  set("in_rank1Shape", this->Shape);
-  program->SetUniformi("in_rank1Log2Columns", this->Log2Columns);
-  if (program->IsUniformUsed("in_rank1Density"))
-  {
-    program->SetUniform2f("in_rank1Density", this->Density);
-  }
+  declare("Rank1ToBasis", this->ToBasis);
+  declare("Rank1Indices", this->Index);
+  declare("Rank1Shares", this->Shares);
+  declare("Rank1Basis", this->Basis);
+  declare("Rank1Shape", this->Shape);
+  text << "const int Rank1Log2Columns = " << this->Log2Columns << ";\n"
+       << "const vec2 Rank1Density = vec2(" << this->Density[0] << ", " << this->Density[1]
+       << ");\n";
+  return text.str();
 }

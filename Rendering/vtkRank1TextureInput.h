@@ -25,7 +25,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataObject;
-class vtkShaderProgram;
 
 class VTKBRAVAIS_EXPORT vtkRank1TextureInput
 {
@@ -34,16 +33,16 @@ public:
   /// the texture is another one or has changed.
   bool SetSource(vtkDataObject* texture, std::string& why);
 
-  /// Places the texels, if they fit a texture of so many texels on a side, and the levels' numbers
-  /// so many uniform floats; else says why not.
-  bool Fold(int maximumSize, int maximumUniforms, std::string& why);
+  /// Places the texels, if they fit a texture of so many texels on a side; else says why not.
+  bool Fold(int maximumSize, std::string& why);
 
   /// The time at which the texture or anything of it changed last: a multi-block data set does not
   /// tell of its blocks.
   static vtkMTimeType GetTime(vtkDataObject* texture);
 
-  /// Sets what rank1Texture.glsl and rank1LookUp.glsl declare.
-  void SetUniforms(vtkShaderProgram* program) const;
+  /// Constants of GLSL that rank1Texture.glsl and rank1LookUp.glsl need, after Fold. They are no
+  /// uniforms, which cost a software renderer half of a look-up.
+  std::string GetConstants() const;
 
   bravais::Rank1TextureLevels Levels;
   std::vector<vtkDataArray*> Texels; ///< of each level

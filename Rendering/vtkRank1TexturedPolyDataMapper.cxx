@@ -24,7 +24,6 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 
@@ -173,10 +172,8 @@ bool vtkRank1TexturedPolyDataMapper::Prepare(vtkRenderer* renderer, std::string&
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   window->MakeCurrent();
-  GLint uniforms = 0;
-  glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &uniforms);
   if (!this->CheckMesh(why) || !this->UpdateTexture(why) ||
-    !impl.Input.Fold(vtkTextureObject::GetMaximumTextureSize(window), uniforms, why))
+    !impl.Input.Fold(vtkTextureObject::GetMaximumTextureSize(window), why))
   {
     return false;
   }
@@ -351,7 +348,6 @@ void vtkRank1TexturedPolyDataMapper::SetMapperShaderParameters(
   {
     return; // edges and vertices are drawn without
   }
-  this->Impl->Input.SetUniforms(program);
   program->SetUniformi("in_rank1Texels", this->Impl->Texture.Texture->GetTextureUnit());
   program->SetUniformi(
     "in_rank1ShowOnBackface", actor->GetProperty()->GetShowTexturesOnBackface() ? 1 : 0);

@@ -28,13 +28,13 @@
  *
  * All levels are in one 2D texture, the texels of each in index order, folded into rows. It is
  * filled when the texture's data or HalfPrecision change, and nothing is copied but what has to be
- * converted: doubles to floats, floats to half ones.
+ * converted: doubles to floats, floats to half ones. The numbers of its lattices are constants of
+ * the shader, which is compiled anew for other lattices, and not for other texels.
  *
  * No mesh, one that has cells but no texture coordinates of two or three components, no texture,
  * one that is no rank-1 image or no such levels, other scalar types, more than 4 components, more
- * than 2^24 texels in a tile, more of them than a texture of the GPU holds, more levels than its
- * shaders hold, an unknown interpolation or level filter: one error each until something changes,
- * and nothing is drawn. NaN texels are drawn as the GPU likes, and leave the others as they are.
+ * than 2^24 texels in a tile, more of them than a texture of the GPU holds, an unknown interpolation
+ * or level filter: one error each until something changes, and nothing is drawn. NaN texels are drawn as the GPU likes, and leave the others as they are.
  *
  * @sa vtkRank1ImageResample vtkRank1TexturePyramid vtkRank1TextureSampler
  */

@@ -4,8 +4,6 @@
 // The interpolated value of a level, and the colour of a place in the picture by the levels that
 // its footprint asks for.
 
-uniform vec2 in_rank1Density; // GetRank1Density of the base
-
 vec4 LookUpLevel(int level, vec2 uv)
 {
   Rank1Texture texture = GetRank1Texture(level);
@@ -36,7 +34,7 @@ vec4 LookUpFootprint(vec2 uv, vec4 footprint)
   return LookUpLevel(0, uv);
 #elif defined(RANK1_R_SET)
   const ivec2 levels = ivec2(RANK1_SET_COLUMNS, RANK1_LEVELS / RANK1_SET_COLUMNS);
-  vec2 level = GetRank1MemberLevel(footprint, in_rank1Density);
+  vec2 level = GetRank1MemberLevel(footprint, Rank1Density);
 #ifdef RANK1_TRILINEAR
   Rank1LevelBlend u = GetRank1LevelBlend(level.x, levels.x);
   Rank1LevelBlend v = GetRank1LevelBlend(level.y, levels.y);
@@ -48,7 +46,7 @@ vec4 LookUpFootprint(vec2 uv, vec4 footprint)
   return LookUpMember(member.x, member.y, uv);
 #endif
 #else
-  float level = GetRank1MipLevel(footprint, in_rank1Density);
+  float level = GetRank1MipLevel(footprint, Rank1Density);
 #ifdef RANK1_TRILINEAR
   Rank1LevelBlend blend = GetRank1LevelBlend(level, RANK1_LEVELS);
   return mix(LookUpLevel(blend.Lower, uv), LookUpLevel(blend.Upper, uv), blend.Weight);

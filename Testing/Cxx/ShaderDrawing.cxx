@@ -25,8 +25,9 @@ std::vector<float> DrawAtPoints(vtkOpenGLRenderWindow* window, const std::string
   std::string source = vtkOpenGLRenderUtilities::GetFullScreenQuadFragmentShaderTemplate();
   vtkShaderProgram::Substitute(
     source, "//VTK::FSQ::Decl", "uniform sampler2D points;\nvec4 point;\n" + declarations);
-  vtkShaderProgram::Substitute(
-    source, "//VTK::FSQ::Impl", "point = texture(points, texCoord);\n" + implementation);
+  // The quad has texture coordinates, which the compiler must not find to be of no use.
+  vtkShaderProgram::Substitute(source, "//VTK::FSQ::Impl",
+    "if (texCoord.x < 0.0) { discard; }\npoint = texture(points, texCoord);\n" + implementation);
   vtkNew<vtkTextureObject> places;
   places->SetContext(window);
   places->Create2DFromRaw(side, side, numbers, VTK_FLOAT, const_cast<float*>(points.data()));

@@ -94,7 +94,7 @@ struct Texture
   {
     std::string why;
     const bool good = this->Input.SetSource(image, why) &&
-      this->Input.Fold(vtkTextureObject::GetMaximumTextureSize(window), 1024, why) &&
+      this->Input.Fold(vtkTextureObject::GetMaximumTextureSize(window), why) &&
       this->Texels.Fill(window, this->Input, false);
     if (!good)
     {
@@ -111,7 +111,6 @@ struct Texture
       vtkRank1ShaderText::GetLookUp(this->Input, interpolation, 1), implementation, points, 4,
       [this](vtkShaderProgram* program)
       {
-        this->Input.SetUniforms(program);
         program->SetUniformi("in_rank1Texels", this->Texels.Texture->GetTextureUnit());
       });
     this->Texels.Texture->Deactivate();
