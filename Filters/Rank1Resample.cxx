@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 namespace bravais
@@ -21,6 +22,8 @@ namespace bravais
 
 namespace
 {
+
+constexpr int MostPoints = VTK_INT_MAX / 2; ///< of a tile
 
 /// Texels of one tile in runs, each of them work for one thread.
 struct Runs
@@ -96,19 +99,43 @@ std::optional<Rank1Picture> Rank1Picture::Create(const int extent[6], const doub
 }
 
 //------------------------------------------------------------------------------
-bool FindRank1Dimensions(const Rank1Picture& picture, const Rank1ResampleParameters& parameters,
-  int dimensions[3], std::string& why)
+bool CheckRank1Parameters(const Rank1ResampleParameters& parameters, std::string& why)
 {
   std::ostringstream text;
   const int* tiles = parameters.Tiles;
+  const vtkIdType* g = parameters.Generator;
+  const vtkIdType n = parameters.NumberOfPoints;
   constexpr int most = 1 << 20;
-  if (tiles[0] < 1 || tiles[1] < 1 || tiles[0] > most || tiles[1] > most)
+  constexpr int mostTiles = 1 << 28;
+  if (tiles[0] < 1 || tiles[1] < 1 || tiles[0] > most || tiles[1] > most ||
+    std::int64_t{ tiles[0] } * tiles[1] > mostTiles)
   {
     text << "Tiles are " << tiles[0] << " x " << tiles[1] << "; 1 to " << most
-         << " each way were expected.";
-    why = text.str();
+         << " each way were expected, and at most " << mostTiles << " tiles.";
+  }
+  else if (n < 0 || n > MostPoints)
+  {
+    text << "NumberOfPoints is " << n << "; 1 to " << MostPoints
+         << " were expected, or 0 for as many texels as pixels.";
+  }
+  else if (n > 0 && (g[0] != 0 || g[1] != 0) &&
+    !Rank1Lattice::Create(n, g[0], g[1], glm::dvec2(1.0)))
+  {
+    text << ExplainRank1Lattice(n, g[0], g[1], 1.0, 1.0);
+  }
+  why = text.str();
+  return why.empty();
+}
+
+//------------------------------------------------------------------------------
+bool FindRank1Dimensions(const Rank1Picture& picture, const Rank1ResampleParameters& parameters,
+  int dimensions[3], std::string& why)
+{
+  if (!CheckRank1Parameters(parameters, why))
+  {
     return false;
   }
+  const int* tiles = parameters.Tiles;
   const double pixels = static_cast<double>(picture.Pixels[0]) * picture.Pixels[1];
   const double tileCount = static_cast<double>(tiles[0]) * tiles[1];
   double n = static_cast<double>(parameters.NumberOfPoints);
@@ -116,14 +143,12 @@ bool FindRank1Dimensions(const Rank1Picture& picture, const Rank1ResampleParamet
   {
     n = std::max(1.0, std::floor(pixels / tileCount + 0.5));
   }
-  constexpr int mostPoints = VTK_INT_MAX / 2;
-  constexpr int mostTiles = 1 << 28;
-  if (!(n >= 1.0 && n <= mostPoints && tileCount <= mostTiles))
+  if (n > MostPoints)
   {
-    text << "NumberOfPoints is " << parameters.NumberOfPoints << " for each of " << tiles[0]
+    std::ostringstream text;
+    text << "NumberOfPoints is 0, which stands for " << n << " texels for each of " << tiles[0]
          << " x " << tiles[1] << " tiles of a picture of " << pixels << " pixels; 1 to "
-         << mostPoints << " were expected, or 0 for as many texels as pixels, and at most "
-         << mostTiles << " tiles.";
+         << MostPoints << " were expected.";
     why = text.str();
     return false;
   }
@@ -158,6 +183,11 @@ std::optional<Rank1Lattice> FindRank1Lattice(
 //------------------------------------------------------------------------------
 bool CheckRank1Input(vtkImageData* image, std::string& why)
 {
+  if (!image)
+  {
+    why = "There is no input image; a picture was expected.";
+    return false;
+  }
   for (const char* tag : { Rank1Tag, BCCTag })
   {
     if (HasLatticeTag(image, tag))

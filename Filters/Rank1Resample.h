@@ -48,6 +48,9 @@ struct Rank1ResampleParameters
   Rank1Boundary Boundary = Rank1Boundary::Periodic;
 };
 
+/// Whether parameters are good for any picture, as far as that can be told without one.
+bool CheckRank1Parameters(const Rank1ResampleParameters& parameters, std::string& why);
+
 /// Dimensions (n, S, T) by the parameters, all of them counted.
 bool FindRank1Dimensions(const Rank1Picture& picture, const Rank1ResampleParameters& parameters,
   int dimensions[3], std::string& why);
@@ -56,7 +59,7 @@ bool FindRank1Dimensions(const Rank1Picture& picture, const Rank1ResampleParamet
 std::optional<Rank1Lattice> FindRank1Lattice(
   const Rank1Picture& picture, const Rank1ResampleParameters& parameters, std::string& why);
 
-/// Whether an image is a Cartesian picture with number scalars, all of them there.
+/// Whether there is an image, a Cartesian picture with number scalars, all of them there.
 bool CheckRank1Input(vtkImageData* image, std::string& why);
 
 /// Makes a rank-1 image of all of a picture's pixels: `extent`, a part of its dimensions (n, S, T),

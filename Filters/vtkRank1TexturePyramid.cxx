@@ -8,6 +8,8 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -16,9 +18,10 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <vector>
 
 vtkStandardNewMacro(vtkRank1TexturePyramid);
 
@@ -52,6 +55,8 @@ const char* vtkRank1TexturePyramid::GetBoundaryModeAsString()
 int vtkRank1TexturePyramid::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  // Else VTK would put this filter's blocks and those of the input into one output.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -59,10 +64,7 @@ int vtkRank1TexturePyramid::FillInputPortInformation(int vtkNotUsed(port), vtkIn
 int vtkRank1TexturePyramid::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* in = inputVector[0]->GetInformationObject(0);
-  int whole[6] = { 0, -1, 0, -1, 0, -1 };
-  in->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  bravais::RequestExtent(in, whole);
+  bravais::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -99,13 +101,121 @@ double GetExtent(const bravais::Rank1LevelPlan& plan, int extent[6])
   return texels;
 }
 
+/// A picture, and where its levels are to be.
+struct Picture
+{
+  vtkImageData* Image;
+  vtkMultiBlockDataSet* Levels;
+};
+
+/// Makes `output` a tree like `input`, with a pyramid for each image.
+bool ListPictures(vtkDataObject* input, vtkMultiBlockDataSet* output,
+  std::vector<Picture>& pictures, std::string& why)
+{
+  if (auto* image = vtkImageData::SafeDownCast(input))
+  {
+    pictures.push_back({ image, output });
+    return true;
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(input);
+  if (!tree)
+  {
+    why = std::string("The input is or holds a ") + input->GetClassName() +
+      "; a picture, or a vtkMultiBlockDataSet of pictures, was expected.";
+    return false;
+  }
+  vtkSmartPointer<vtkDataObjectTreeIterator> child;
+  child.TakeReference(tree->NewTreeIterator());
+  child->TraverseSubTreeOff();
+  child->VisitOnlyLeavesOff();
+  child->SkipEmptyNodesOff();
+  unsigned int block = 0;
+  for (child->InitTraversal(); !child->IsDoneWithTraversal(); child->GoToNextItem(), ++block)
+  {
+    output->SetNumberOfBlocks(block + 1);
+    if (child->HasCurrentMetaData())
+    {
+      output->GetMetaData(block)->Copy(child->GetCurrentMetaData(), 1);
+    }
+    if (vtkDataObject* object = child->GetCurrentDataObject())
+    {
+      vtkNew<vtkMultiBlockDataSet> own;
+      output->SetBlock(block, own);
+      if (!ListPictures(object, own, pictures, why))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 } // namespace
+
+//------------------------------------------------------------------------------
+bool vtkRank1TexturePyramid::MakeLevels(
+  vtkImageData* image, vtkMultiBlockDataSet* levels, double begin, double end, std::string& why)
+{
+  double* direction = image->GetDirectionMatrix()->GetData();
+  const auto picture = bravais::Rank1Picture::Create(
+    image->GetExtent(), image->GetOrigin(), image->GetSpacing(), direction, why);
+  int dimensions[3];
+  const bravais::Rank1ResampleParameters parameters = GetParameters(this);
+  if (!picture || !bravais::CheckRank1Input(image, why) ||
+    !bravais::FindRank1Dimensions(*picture, parameters, dimensions, why))
+  {
+    return false;
+  }
+  vtkDataArray* pixels = image->GetPointData()->GetScalars();
+  const int bytes = pixels->GetNumberOfComponents() * pixels->GetDataTypeSize();
+  const int whole[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1 };
+  const int copies = this->Kind == RSet ? 4 : 2; // 4/3, rounded up
+  if (!bravais::CheckMemory(whole, copies * bytes, why))
+  {
+    return false;
+  }
+  const auto plans = this->Kind == RSet
+    ? bravais::PlanRank1RSet(*picture, parameters, why)
+    : bravais::PlanRank1MipLevels(*picture, parameters, this->NumberOfLevels, why);
+  if (!plans)
+  {
+    return false;
+  }
+
+  const double local[3] = { 0.0, 0.0, picture->Z };
+  double origin[3];
+  vtkMatrix3x3::MultiplyPoint(direction, local, origin);
+  const double length = end - begin;
+  double total = 0.0;
+  int extent[6];
+  for (const bravais::Rank1LevelPlan& plan : *plans)
+  {
+    total += GetExtent(plan, extent);
+  }
+  for (unsigned int block = 0; block < plans->size(); ++block)
+  {
+    const bravais::Rank1LevelPlan& plan = (*plans)[block];
+    const double next = std::min(end, begin + GetExtent(plan, extent) / total * length);
+    vtkNew<vtkImageData> level;
+    level->SetOrigin(origin);
+    level->SetDirectionMatrix(direction);
+    levels->SetBlock(block, level);
+    levels->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), plan.Name.c_str());
+    if (!bravais::ResampleToRank1(
+          this, *picture, plan.Parameters, plan.Lattice, pixels, extent, level, begin, next))
+    {
+      return false; // aborted
+    }
+    begin = next;
+  }
+  return true;
+}
 
 //------------------------------------------------------------------------------
 int vtkRank1TexturePyramid::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   output->Initialize();
   const auto fail = [&](const std::string& why)
@@ -124,61 +234,28 @@ int vtkRank1TexturePyramid::RequestData(
       "; a positive number, or 0 for all levels, was expected.");
   }
   std::string why;
-  double* direction = input->GetDirectionMatrix()->GetData();
-  const auto picture = bravais::Rank1Picture::Create(
-    input->GetExtent(), input->GetOrigin(), input->GetSpacing(), direction, why);
-  if (!picture || !bravais::CheckRank1Input(input, why))
+  std::vector<Picture> pictures;
+  if (!bravais::CheckRank1Parameters(GetParameters(this), why) ||
+    !ListPictures(input, output, pictures, why))
   {
     return fail(why);
   }
-  vtkDataArray* pixels = input->GetPointData()->GetScalars();
-  const int bytes = pixels->GetNumberOfComponents() * pixels->GetDataTypeSize();
-  const bravais::Rank1ResampleParameters parameters = GetParameters(this);
-  int dimensions[3];
-  if (!bravais::FindRank1Dimensions(*picture, parameters, dimensions, why))
+  const auto count = static_cast<double>(pictures.size());
+  for (std::size_t index = 0; index < pictures.size(); ++index)
   {
-    return fail(why);
-  }
-  const int whole[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1 };
-  const int copies = this->Kind == RSet ? 4 : 2; // 4/3, rounded up
-  if (!bravais::CheckMemory(whole, copies * bytes, why))
-  {
-    return fail(why);
-  }
-  const auto plans = this->Kind == RSet
-    ? bravais::PlanRank1RSet(*picture, parameters, why)
-    : bravais::PlanRank1MipLevels(*picture, parameters, this->NumberOfLevels, why);
-  if (!plans)
-  {
-    return fail(why);
-  }
-
-  const double local[3] = { 0.0, 0.0, picture->Z };
-  double origin[3];
-  vtkMatrix3x3::MultiplyPoint(direction, local, origin);
-  double total = 0.0;
-  int extent[6];
-  for (const bravais::Rank1LevelPlan& plan : *plans)
-  {
-    total += GetExtent(plan, extent);
-  }
-  double begin = 0.0;
-  for (unsigned int block = 0; block < plans->size(); ++block)
-  {
-    const bravais::Rank1LevelPlan& plan = (*plans)[block];
-    const double end = begin + GetExtent(plan, extent) / total;
-    vtkNew<vtkImageData> image;
-    image->SetOrigin(origin);
-    image->SetDirectionMatrix(direction);
-    output->SetBlock(block, image);
-    output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), plan.Name.c_str());
-    if (!bravais::ResampleToRank1(
-          this, *picture, plan.Parameters, plan.Lattice, pixels, extent, image, begin, end))
+    const auto place = static_cast<double>(index);
+    const Picture& picture = pictures[index];
+    if (!this->MakeLevels(picture.Image, picture.Levels, place / count, (place + 1) / count, why))
     {
-      output->Initialize();
+      if (!why.empty())
+      {
+        return fail(pictures.size() == 1 ? why
+                                         : "Of picture " + std::to_string(index + 1) + " of " +
+              std::to_string(pictures.size()) + ": " + why);
+      }
+      output->Initialize(); // aborted
       return 1;
     }
-    begin = end;
   }
   this->UpdateProgress(1.0);
   return 1;

@@ -21,12 +21,16 @@
  * vtkRank1TextureSampler and vtkRank1TexturedPolyDataMapper take such an output as it is, and one
  * that was written as .vtm and read again.
  *
+ * Of a vtkMultiBlockDataSet, or another tree of pictures, the output is a tree of the same shape
+ * and names, with a pyramid in each picture's place.
+ *
  * Parameters are those of vtkRank1ImageResample; `Generator` is the base's. `Filter` Automatic
  * takes Box for all levels of fewer texels than pixels, and other filters would alias there. A
  * picture of one pixel, or a base of one texel, has one level. Memory is allocated for the output
  * alone.
  *
- * Errors, with an empty output: those of vtkRank1ImageResample, and a number of levels below 0.
+ * Errors, with an empty output: those of vtkRank1ImageResample, a number of levels below 0, and
+ * blocks that are no pictures.
  *
  * Example:
  * @code
@@ -47,7 +51,11 @@
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+
 class VTKBRAVAIS_EXPORT vtkRank1TexturePyramid : public vtkMultiBlockDataSetAlgorithm
 {
 public:
@@ -177,6 +185,10 @@ protected:
 private:
   vtkRank1TexturePyramid(const vtkRank1TexturePyramid&) = delete;
   void operator=(const vtkRank1TexturePyramid&) = delete;
+
+  /// Progress runs from begin to end. False with a sentence in `why`, or without where aborted.
+  bool MakeLevels(
+    vtkImageData* image, vtkMultiBlockDataSet* levels, double begin, double end, std::string& why);
 
   int Kind = MipLevels;
   int NumberOfLevels = 0;

@@ -6,7 +6,10 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkImageData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet, vtkOverlappingAMR,
+    vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
+from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLMultiBlockDataWriter
 
 from bravais import (
@@ -141,6 +144,60 @@ class TestRank1TexturePyramid(unittest.TestCase):
         pyramid.Update()
         self.assertEqual(source.asked, [[0, 19, 0, 9, 0, 0]])
 
+    def test_blocks_become_pyramids(self):
+        pictures = [make_picture(9, 7), make_picture(20, 10, 3, np.uint8), make_picture(4, 4)]
+        inner = vtkMultiBlockDataSet()
+        inner.SetBlock(1, make_image(pictures[1]))
+        inner.GetMetaData(1).Set(vtkCompositeDataSet.NAME(), "second")
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, make_image(pictures[0]))
+        blocks.SetBlock(1, inner)
+        blocks.SetBlock(3, make_image(pictures[2]))
+        for kind in range(2):
+            pyramid = make_pyramid(blocks, Kind=kind, Tiles=(2, 1))
+            amounts = []
+            pyramid.AddObserver(
+                "ProgressEvent", lambda *unused: amounts.append(pyramid.GetProgress()))
+            pyramid.Update()
+            self.assertEqual(amounts, sorted(amounts))
+            self.assertEqual(amounts[-1], 1)
+            output = pyramid.GetOutputDataObject(0)
+            self.assertEqual(output.GetNumberOfBlocks(), 4)
+            self.assertIsNone(output.GetBlock(2))
+            self.assertEqual(output.GetBlock(1).GetNumberOfBlocks(), 2)
+            self.assertIsNone(output.GetBlock(1).GetBlock(0))
+            name = output.GetBlock(1).GetMetaData(1).Get(vtkCompositeDataSet.NAME())
+            self.assertEqual(name, "second")
+            found = output.GetBlock(0), output.GetBlock(1).GetBlock(1), output.GetBlock(3)
+            for picture, levels in zip(pictures, found):
+                alone = get_blocks(make_pyramid(picture, Kind=kind, Tiles=(2, 1)))
+                self.assertEqual(levels.GetNumberOfBlocks(), len(alone))
+                for number, level in enumerate(alone):
+                    np.testing.assert_array_equal(
+                        get_texels(levels.GetBlock(number)), get_texels(level))
+            sampler = vtkRank1TextureSampler()
+            sampler.SetInputData(found[1])
+            self.assertTrue(sampler.Sample(0.3, 0.4, 0.02, 0, 0, 0.1, [0.0] * 3))
+
+    def test_blocks_of_filters_and_partitions(self):
+        parts = vtkPartitionedDataSetCollection()
+        for number in range(2):
+            part = vtkPartitionedDataSet()
+            part.SetPartition(0, make_image(make_picture(8, 8 + number)))
+            parts.SetPartitionedDataSet(number, part)
+        shift = vtkImageShiftScale()  # takes the blocks one by one
+        shift.SetInputDataObject(parts)
+        shift.SetShift(1)
+        pyramid = vtkRank1TexturePyramid()
+        pyramid.SetInputConnection(shift.GetOutputPort())
+        pyramid.Update()
+        output = pyramid.GetOutputDataObject(0)
+        for number in range(2):
+            levels = output.GetBlock(number).GetBlock(0)
+            alone = get_blocks(make_pyramid(make_picture(8, 8 + number) + 1))
+            self.assertEqual(levels.GetNumberOfBlocks(), len(alone))
+            np.testing.assert_array_equal(get_texels(levels.GetBlock(0)), get_texels(alone[0]))
+
     def test_threads_progress_and_abort(self):
         pyramid = make_pyramid(make_picture(90, 70, 3), Tiles=(4, 4), Kind=1)
         results = []
@@ -224,6 +281,22 @@ class TestRank1TexturePyramidBadInput(unittest.TestCase):
         self.refuses(make_pyramid(image), "BCC")
         block = get_blocks(make_pyramid(make_picture(8, 8)))[0]
         self.refuses(make_pyramid(block), "Rank1")
+
+    def test_blocks(self):
+        blocks = vtkMultiBlockDataSet()
+        for number in range(3):
+            blocks.SetBlock(number, make_image(make_picture(8, 8)))
+        pyramid = make_pyramid(blocks)
+        self.assertEqual(len(get_blocks(pyramid)), 3)
+        pyramid.SetTiles(0, 1)
+        self.refuses(pyramid, "Tiles are 0 x 1")
+        pyramid.SetTiles(1, 1)
+        blocks.SetBlock(1, make_image(np.zeros((2, 8, 8))))
+        self.refuses(make_pyramid(blocks), "picture 2 of 3", "8 x 8 x 2")
+        blocks.SetBlock(1, vtkPolyData())
+        self.refuses(make_pyramid(blocks), "vtkPolyData")
+        grids = vtkOverlappingAMR()
+        self.refuses(make_pyramid(grids), "vtkOverlappingAMR")
 
     def test_an_error_empties_an_earlier_output(self):
         pyramid = make_pyramid(make_picture(8, 8))
