@@ -3,6 +3,7 @@
 #include "BCCPlacement.h"
 
 #include "BCCFit.h"
+#include "ImageChecks.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -136,9 +137,39 @@ BCCPlacement PlaceSubset(const ImageGrid& grid)
 }
 
 //------------------------------------------------------------------------------
+bool CheckIsotropic(const int dimensions[3], double ratio, std::string& why)
+{
+  const int* n = dimensions;
+  std::ostringstream text;
+  if (n[0] == 0 && n[1] == 0 && n[2] == 0)
+  {
+    if (!(ratio > 0.0) || !std::isfinite(ratio))
+    {
+      text << "SampleRatio is " << ratio << "; a finite number above 0 was expected.";
+    }
+  }
+  else if (n[0] < 1 || n[1] < 1 || n[2] < 2)
+  {
+    text << "Dimensions are " << n[0] << ", " << n[1] << ", " << n[2]
+         << "; at least 1, 1, 2 were expected, or 0, 0, 0 to go by SampleRatio.";
+  }
+  else
+  {
+    const int whole[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
+    return CheckExtent(whole, 1, why);
+  }
+  why = text.str();
+  return why.empty();
+}
+
+//------------------------------------------------------------------------------
 bool PlaceIsotropic(const ImageGrid& grid, const int dimensions[3], double ratio,
   BCCPlacement& placement, std::string& why)
 {
+  if (!CheckIsotropic(dimensions, ratio, why))
+  {
+    return false;
+  }
   glm::dvec3 edges;
   double count = ratio;
   for (int axis = 0; axis < 3; ++axis)
@@ -149,18 +180,11 @@ bool PlaceIsotropic(const ImageGrid& grid, const int dimensions[3], double ratio
   }
   const glm::ivec3 n(dimensions[0], dimensions[1], dimensions[2]);
   const bool chosen = n != glm::ivec3(0);
-  std::ostringstream text;
-  if (chosen && (n.x < 1 || n.y < 1 || n.z < 2))
-  {
-    text << "Dimensions are " << n.x << ", " << n.y << ", " << n.z
-         << "; at least 1, 1, 2 were expected, or 0, 0, 0 to go by SampleRatio.";
-    why = text.str();
-    return false;
-  }
   const std::optional<BCCFit> fit =
     chosen ? BCCFit{ n, FitBCCUnit(edges, n) } : FitBCC(edges, count);
   if (!fit)
   {
+    std::ostringstream text;
     text << "SampleRatio is " << ratio
          << "; a number was expected that gives at least 1 x 1 x 2 points, and not too many.";
     why = text.str();

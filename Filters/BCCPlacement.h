@@ -58,6 +58,10 @@ struct BCCPlacement
 /// Every second point of each of two cosets.
 BCCPlacement PlaceSubset(const ImageGrid& grid);
 
+/// Whether dimensions, or a ratio where they are 0, are good for any image, as far as that can be
+/// told without one.
+bool CheckIsotropic(const int dimensions[3], double ratio, std::string& why);
+
 /// An isotropic lattice of given dimensions, or, if they are 0, of about `ratio` times the image's
 /// points, in the middle of the image. False, with a sentence, if there is none.
 bool PlaceIsotropic(const ImageGrid& grid, const int dimensions[3], double ratio,

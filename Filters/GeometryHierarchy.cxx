@@ -37,24 +37,6 @@ vtkMTimeType GetTime(vtkImageData* image)
   return time;
 }
 
-bool CheckParameters(const GeometryHierarchy::Parameters& parameters, std::string& why)
-{
-  std::ostringstream text;
-  const double* cube = parameters.RootCube;
-  if (parameters.MaximumDepth < 0 || parameters.MaximumDepth > CellGrid::MaximumDepth)
-  {
-    text << "MaximumDepth is " << parameters.MaximumDepth << "; 0 to " << CellGrid::MaximumDepth
-         << " were expected.";
-  }
-  else if (!(cube[3] >= 0.0) || !std::isfinite(cube[0] + cube[1] + cube[2] + cube[3]))
-  {
-    text << "RootCube is " << cube[0] << ", " << cube[1] << ", " << cube[2] << ", " << cube[3]
-         << "; finite numbers and an edge of at least 0 were expected.";
-  }
-  why = text.str();
-  return why.empty();
-}
-
 /// The box of the used gixels; Low is above High if there is none. False if aborted.
 bool GetBounds(vtkAlgorithm* self, const GixelView& view, double begin, double end, Box& bounds)
 {
@@ -118,6 +100,25 @@ bool MakeGrid(const GeometryHierarchy::Parameters& parameters, const GixelView& 
 } // namespace
 
 //------------------------------------------------------------------------------
+bool GeometryHierarchy::Check(const Parameters& parameters, std::string& why)
+{
+  std::ostringstream text;
+  const double* cube = parameters.RootCube;
+  if (parameters.MaximumDepth < 0 || parameters.MaximumDepth > CellGrid::MaximumDepth)
+  {
+    text << "MaximumDepth is " << parameters.MaximumDepth << "; 0 to " << CellGrid::MaximumDepth
+         << " were expected.";
+  }
+  else if (!(cube[3] >= 0.0) || !std::isfinite(cube[0] + cube[1] + cube[2] + cube[3]))
+  {
+    text << "RootCube is " << cube[0] << ", " << cube[1] << ", " << cube[2] << ", " << cube[3]
+         << "; finite numbers and an edge of at least 0 were expected.";
+  }
+  why = text.str();
+  return why.empty();
+}
+
+//------------------------------------------------------------------------------
 bool GeometryHierarchy::Parameters::operator==(const Parameters& other) const
 {
   return this->MaximumDepth == other.MaximumDepth && this->Encoding == other.Encoding &&
@@ -144,7 +145,7 @@ bool GeometryHierarchy::Build(vtkAlgorithm* self, vtkImageData* image, const Par
 {
   this->Clear();
   why.clear();
-  if (!CheckParameters(parameters, why))
+  if (!Check(parameters, why))
   {
     return false;
   }

@@ -35,6 +35,9 @@ public:
     bool operator==(const Parameters& other) const;
   };
 
+  /// Whether parameters are good for any image, as far as that can be told without one.
+  static bool Check(const Parameters& parameters, std::string& why);
+
   /// Whether it is that of the image, as it now is, and the parameters.
   bool IsOf(vtkImageData* image, const Parameters& parameters) const;
 

@@ -60,21 +60,22 @@ int vtkBCCPrefilter::FillInputPortInformation(int vtkNotUsed(port), vtkInformati
 int vtkBCCPrefilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (!vtkImageData::GetData(outputs))
-  {
-    return 1; // of many blocks, each of which is asked by itself
-  }
+  const bool blocks = !vtkImageData::GetData(outputs); // each of which is asked by itself
   vtkInformation* in = inputs[0]->GetInformationObject(0);
   vtkInformation* out = outputs->GetInformationObject(0);
   int whole[6] = { 0, -1, 0, -1, 0, -1 };
   in->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   std::string why;
-  if (!bravais::CheckExtent(whole, 1, why) ||
-    !bravais::CheckBCCSpline(this->Kernel, this->Method, why))
+  if (!bravais::CheckBCCSpline(this->Kernel, this->Method, why) ||
+    (!blocks && !bravais::CheckExtent(whole, 1, why)))
   {
     vtkErrorMacro(<< why);
-    vtkImageData::GetData(outputs)->Initialize();
+    bravais::RefuseInformation(outputs);
     return 0;
+  }
+  if (blocks)
+  {
+    return 1;
   }
   vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
     in, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);

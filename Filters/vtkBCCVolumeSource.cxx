@@ -3,8 +3,8 @@
 #include "vtkBCCVolumeSource.h"
 
 #include "AnalyticSignals.h"
-#include "ImageChecks.h"
 #include "BCCLattice.h"
+#include "ImageChecks.h"
 #include "SliceLoop.h"
 #include "vtkBCCLattice.h"
 

@@ -92,12 +92,48 @@ struct Grid
 } // namespace
 
 //------------------------------------------------------------------------------
+bool vtkBCCVolumeToImage::CheckParameters(bool blocks, std::string& why) const
+{
+  const int* n = this->OutputDimensions;
+  if (n[0] < 0 || n[1] < 0 || n[2] < 0)
+  {
+    why = "OutputDimensions are " + std::to_string(n[0]) + ", " + std::to_string(n[1]) + ", " +
+      std::to_string(n[2]) + "; positive numbers were expected, or 0 for the input's spacing.";
+    return false;
+  }
+  if (this->OutputScalarType != -1 && !bravais::IsNumberType(this->OutputScalarType))
+  {
+    why = "OutputScalarType is " + std::to_string(this->OutputScalarType) +
+      "; a VTK number type from VTK_CHAR to VTK_DOUBLE, or -1, was expected.";
+    return false;
+  }
+  const int extent[6] = { 0, std::max(1, n[0]) - 1, 0, std::max(1, n[1]) - 1, 0,
+    std::max(1, n[2]) - 1 };
+  // Blocks are made whole, others maybe piece by piece.
+  return bravais::CheckExtent(extent, 8, why) &&
+    (!blocks || bravais::CheckMemory(extent, 1, why)) &&
+    bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why);
+}
+
+//------------------------------------------------------------------------------
 int vtkBCCVolumeToImage::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (!vtkImageData::GetData(outputs))
+  std::string why;
+  const auto fail = [&]
   {
-    return 1; // of many blocks, each of which is asked by itself
+    vtkErrorMacro(<< why);
+    bravais::RefuseInformation(outputs);
+    return 0;
+  };
+  const bool blocks = !vtkImageData::GetData(outputs);
+  if (!this->CheckParameters(blocks, why))
+  {
+    return fail();
+  }
+  if (blocks)
+  {
+    return 1; // each is asked by itself
   }
   vtkInformation* in = inputs[0]->GetInformationObject(0);
   vtkInformation* out = outputs->GetInformationObject(0);
@@ -119,14 +155,10 @@ int vtkBCCVolumeToImage::RequestInformation(
     in->Get(vtkDataObject::DIRECTION(), direction);
   }
   Grid grid;
-  std::string why;
   if (!bravais::CheckExtent(whole, 1, why) || !bravais::CheckPlacement(origin, s, why) ||
-    !grid.Set(whole, s, this->OutputDimensions, why) ||
-    !bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why))
+    !grid.Set(whole, s, this->OutputDimensions, why))
   {
-    vtkErrorMacro(<< why);
-    vtkImageData::GetData(outputs)->Initialize();
-    return 0;
+    return fail();
   }
   double offset[3];
   vtkMatrix3x3::MultiplyPoint(direction, grid.Origin, offset);
@@ -138,16 +170,14 @@ int vtkBCCVolumeToImage::RequestInformation(
   const int extent[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
   if (!bravais::CheckExtent(extent, 8, why))
   {
-    vtkErrorMacro(<< why);
-    vtkImageData::GetData(outputs)->Initialize();
-    return 0;
+    return fail();
   }
   out->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   out->Set(vtkDataObject::SPACING(), grid.Spacing, 3);
   out->Set(vtkDataObject::ORIGIN(), origin, 3);
   out->Set(vtkDataObject::DIRECTION(), direction, 9);
   out->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  if (bravais::IsNumberType(this->OutputScalarType))
+  if (this->OutputScalarType != -1)
   {
     vtkDataObject::SetPointDataActiveScalarInfo(out, this->OutputScalarType, -1);
   }
@@ -220,11 +250,6 @@ int vtkBCCVolumeToImage::RequestData(
   const int components = scalars->GetNumberOfComponents();
   const int type = this->OutputScalarType == -1 ? scalars->GetDataType() : this->OutputScalarType;
   const int coefficientType = bravais::GetBCCCoefficientType(scalars->GetDataType());
-  if (!bravais::IsNumberType(type))
-  {
-    return fail("OutputScalarType is " + std::to_string(type) +
-      "; a VTK number type from VTK_CHAR to VTK_DOUBLE, or -1, was expected.");
-  }
   const int size = vtkDataArray::GetDataTypeSize(type);
   const int coefficientSize = vtkDataArray::GetDataTypeSize(coefficientType);
   const int bytes = components * (size + (this->ComputeGradients ? 3 * coefficientSize : 0));

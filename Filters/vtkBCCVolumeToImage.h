@@ -46,6 +46,8 @@
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkBCCVolumeToImage : public vtkImageAlgorithm
 {
@@ -134,6 +136,8 @@ protected:
 private:
   vtkBCCVolumeToImage(const vtkBCCVolumeToImage&) = delete;
   void operator=(const vtkBCCVolumeToImage&) = delete;
+
+  bool CheckParameters(bool blocks, std::string& why) const;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBayerPattern.h"
 
-#include "ImageChecks.h"
 #include "BayerMeasures.h"
 #include "BayerPattern.h"
+#include "ImageChecks.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"

@@ -93,6 +93,17 @@ public:
     return this->LeafOrder;
   }
 
+  /// What the query is of; it has no test where there is neither function nor camera.
+  static bool MakeVolume(
+    vtkGeometryImageLocalityMask* self, bravais::CullVolume& volume, std::string& why)
+  {
+    if (self->CullFunction)
+    {
+      return bravais::MakeCullVolume(self->CullFunction, volume, why);
+    }
+    return !self->Camera || bravais::MakeCullVolume(self->Camera, self->AspectRatio, volume, why);
+  }
+
   bravais::GeometryHierarchy::Parameters GetParameters(vtkGeometryImageLocalityMask* self) const
   {
     const double* cube = self->RootCube;
@@ -213,6 +224,23 @@ int vtkGeometryImageLocalityMask::FillInputPortInformation(int port, vtkInformat
 }
 
 //------------------------------------------------------------------------------
+int vtkGeometryImageLocalityMask::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  bravais::CullVolume volume;
+  std::string why;
+  if (!bravais::GeometryHierarchy::Check(this->Internal->GetParameters(this), why) ||
+    !Internals::MakeVolume(this, volume, why))
+  {
+    vtkErrorMacro(<< why);
+    this->Internal->Forget();
+    bravais::RefuseInformation(outputVector);
+    return 0;
+  }
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
 int vtkGeometryImageLocalityMask::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
@@ -254,9 +282,7 @@ int vtkGeometryImageLocalityMask::RequestData(vtkInformation* vtkNotUsed(request
     return stop(why);
   }
   bravais::CullVolume volume;
-  if (this->CullFunction ? !bravais::MakeCullVolume(this->CullFunction, volume, why)
-      : this->Camera     ? !bravais::MakeCullVolume(this->Camera, this->AspectRatio, volume, why)
-                         : false)
+  if (!Internals::MakeVolume(this, volume, why))
   {
     return stop(why);
   }

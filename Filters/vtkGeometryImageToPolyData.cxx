@@ -32,6 +32,13 @@ int vtkGeometryImageToPolyData::FillInputPortInformation(int, vtkInformation* in
 int vtkGeometryImageToPolyData::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
+  if (this->LevelOfDetail < 0 || this->LevelOfDetail > bravais::GixelLine::MaximumLevel)
+  {
+    vtkErrorMacro(<< "LevelOfDetail is " << this->LevelOfDetail << "; 0 to "
+                  << bravais::GixelLine::MaximumLevel << " were expected.");
+    bravais::RefuseInformation(outputs);
+    return 0;
+  }
   outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
@@ -56,12 +63,6 @@ vtkDataArray* vtkGeometryImageToPolyData::FindMask(vtkImageData* image)
 //------------------------------------------------------------------------------
 bool vtkGeometryImageToPolyData::CheckInput(vtkImageData* image, std::string& why)
 {
-  if (this->LevelOfDetail < 0 || this->LevelOfDetail > bravais::GixelLine::MaximumLevel)
-  {
-    why = "LevelOfDetail is " + std::to_string(this->LevelOfDetail) + "; 0 to " +
-      std::to_string(bravais::GixelLine::MaximumLevel) + " were expected.";
-    return false;
-  }
   if (!bravais::CheckGeometryImage(image, why) ||
     !bravais::CheckFinite(bravais::GixelView(image), why))
   {

@@ -103,6 +103,27 @@ vtkMTimeType vtkImageToBCCVolume::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+bool vtkImageToBCCVolume::CheckParameters(bool blocks, std::string& why) const
+{
+  if (this->Mode == Subset)
+  {
+    return true;
+  }
+  if (!this->Interpolator || this->Interpolator->IsA("vtkBCCInterpolator"))
+  {
+    why = std::string("Interpolator is ") +
+      (this->Interpolator ? this->Interpolator->GetClassName() : "none") +
+      "; one for Cartesian images was expected.";
+    return false;
+  }
+  const int* n = this->Dimensions;
+  const int whole[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
+  // Blocks are made whole, others maybe piece by piece.
+  return bravais::CheckIsotropic(n, this->SampleRatio, why) &&
+    (!blocks || n[0] == 0 || bravais::CheckMemory(whole, 1, why));
+}
+
+//------------------------------------------------------------------------------
 bool vtkImageToBCCVolume::Place(vtkInformation* inInfo, bravais::ImageGrid& grid,
   bravais::BCCPlacement& placement, std::string& why) const
 {
@@ -114,13 +135,6 @@ bool vtkImageToBCCVolume::Place(vtkInformation* inInfo, bravais::ImageGrid& grid
   {
     placement = bravais::PlaceSubset(grid);
     return true;
-  }
-  if (!this->Interpolator || this->Interpolator->IsA("vtkBCCInterpolator"))
-  {
-    why = std::string("Interpolator is ") +
-      (this->Interpolator ? this->Interpolator->GetClassName() : "none") +
-      "; one for Cartesian images was expected.";
-    return false;
   }
   return bravais::PlaceIsotropic(grid, this->Dimensions, this->SampleRatio, placement, why);
 }
@@ -161,18 +175,29 @@ int vtkImageToBCCVolume::Fail(vtkInformationVector* outputVector, const std::str
 int vtkImageToBCCVolume::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkImageData::GetData(outputVector))
-  {
-    return 1; // of many blocks, each of which is asked by itself
-  }
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   bravais::ImageGrid grid;
   bravais::BCCPlacement placement;
   std::string why;
+  const auto fail = [&]
+  {
+    vtkErrorMacro(<< why);
+    bravais::RefuseInformation(outputVector);
+    return 0;
+  };
+  const bool blocks = !vtkImageData::GetData(outputVector);
+  if (!this->CheckParameters(blocks, why))
+  {
+    return fail();
+  }
+  if (blocks)
+  {
+    return 1; // each is asked by itself
+  }
   if (!this->Place(inInfo, grid, placement, why))
   {
-    return this->Fail(outputVector, why);
+    return fail();
   }
   const int* n = placement.Dimensions;
   const int whole[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
@@ -191,7 +216,7 @@ int vtkImageToBCCVolume::RequestInformation(vtkInformation* vtkNotUsed(request),
   }
   if (!bravais::CheckExtent(whole, components * vtkDataArray::GetDataTypeSize(type), why))
   {
-    return this->Fail(outputVector, why);
+    return fail();
   }
   double origin[3];
   placement.GetOrigin(grid, origin);
@@ -235,10 +260,19 @@ int vtkImageToBCCVolume::RequestData(vtkInformation* vtkNotUsed(request),
   vtkImageData* output = vtkImageData::GetData(outInfo);
   int extent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  vtkBCCLattice::Tag(output);
+  if (IsEmpty(extent))
+  {
+    return 1; // a piece without points
+  }
 
   bravais::ImageGrid grid;
   bravais::BCCPlacement placement;
   std::string why;
+  if (!input)
+  {
+    return this->Fail(outputVector, "There is no input image; a volume was expected.");
+  }
   if (!this->Place(inInfo, grid, placement, why))
   {
     return this->Fail(outputVector, why);
@@ -251,11 +285,6 @@ int vtkImageToBCCVolume::RequestData(vtkInformation* vtkNotUsed(request),
         std::string("The input is tagged as an image of the lattice ") + tag +
           "; a Cartesian image was expected.");
     }
-  }
-  vtkBCCLattice::Tag(output);
-  if (IsEmpty(extent))
-  {
-    return 1; // a piece without points
   }
   int needed[6];
   this->GetInputExtent(grid, placement, extent, needed);

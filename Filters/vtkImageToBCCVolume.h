@@ -163,6 +163,7 @@ private:
   vtkImageToBCCVolume(const vtkImageToBCCVolume&) = delete;
   void operator=(const vtkImageToBCCVolume&) = delete;
 
+  bool CheckParameters(bool blocks, std::string& why) const;
   bool Place(vtkInformation* inInfo, bravais::ImageGrid& grid, bravais::BCCPlacement& placement,
     std::string& why) const;
   bool NeedsWholeInput(const bravais::BCCPlacement& placement) const;

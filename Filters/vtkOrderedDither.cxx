@@ -130,18 +130,14 @@ bool vtkOrderedDither::CheckParameters(std::string& why) const
 int vtkOrderedDither::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkImageData* image = vtkImageData::GetData(outputVector);
   std::string why;
   if (!this->CheckParameters(why))
   {
     vtkErrorMacro(<< why);
-    if (image)
-    {
-      image->Initialize();
-    }
+    bravais::RefuseInformation(outputVector);
     return 0;
   }
-  if (!image)
+  if (!vtkImageData::GetData(outputVector))
   {
     return 1; // of many blocks, each of which is asked by itself
   }

@@ -4,6 +4,7 @@
 
 #include "ImageChecks.h"
 #include "MeshSamples.h"
+#include "PieceRequest.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -64,18 +65,14 @@ bool vtkPolyDataToGeometryImage::CheckDimensions(std::string& why)
 int vtkPolyDataToGeometryImage::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  vtkImageData* image = vtkImageData::GetData(outputs);
   std::string why;
   if (!this->CheckDimensions(why))
   {
     vtkErrorMacro(<< why);
-    if (image)
-    {
-      image->Initialize();
-    }
+    bravais::RefuseInformation(outputs);
     return 0;
   }
-  if (!image)
+  if (!vtkImageData::GetData(outputs))
   {
     return 1; // of many blocks, each of which is asked by itself
   }
@@ -132,6 +129,12 @@ int vtkPolyDataToGeometryImage::RequestData(
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(info);
   std::string why;
+  if (!mesh)
+  {
+    vtkErrorMacro(<< "There is no input mesh; a vtkPolyData was expected.");
+    output->Initialize();
+    return 0;
+  }
   if (!this->Members->IsOf(mesh, this->Dimensions, this->Rounds) && !this->Parametrize(mesh, why))
   {
     output->Initialize();

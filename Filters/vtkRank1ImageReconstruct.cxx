@@ -116,32 +116,53 @@ const char* vtkRank1ImageReconstruct::GetInterpolationAsString()
 }
 
 //------------------------------------------------------------------------------
+bool vtkRank1ImageReconstruct::CheckParameters(bool blocks, std::string& why) const
+{
+  const int* n = this->OutputDimensions;
+  if (this->SamplesPerAxis < 1 || this->SamplesPerAxis > 256)
+  {
+    why = "SamplesPerAxis is " + std::to_string(this->SamplesPerAxis) + "; 1 to 256 were expected.";
+    return false;
+  }
+  if (n[0] < 0 || n[1] < 0)
+  {
+    why = "OutputDimensions are " + std::to_string(n[0]) + " x " + std::to_string(n[1]) +
+      "; positive numbers were expected, or 0 for square pixels.";
+    return false;
+  }
+  const int extent[6] = { 0, std::max(1, n[0]) - 1, 0, std::max(1, n[1]) - 1, 0, 0 };
+  // Blocks are made whole, others maybe piece by piece.
+  return blocks ? bravais::CheckMemory(extent, 1, why) : bravais::CheckExtent(extent, 1, why);
+}
+
+//------------------------------------------------------------------------------
 int vtkRank1ImageReconstruct::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkImageData::GetData(outputVector))
+  std::string why;
+  const auto fail = [&]
   {
-    return 1; // of many blocks, each of which is asked by itself
+    vtkErrorMacro(<< why);
+    bravais::RefuseInformation(outputVector);
+    return 0;
+  };
+  const bool blocks = !vtkImageData::GetData(outputVector);
+  if (!this->CheckParameters(blocks, why))
+  {
+    return fail();
+  }
+  if (blocks)
+  {
+    return 1; // each is asked by itself
   }
   vtkInformation* out = outputVector->GetInformationObject(0);
   this->GetInputAlgorithm()->UpdateWholeExtent(); // the domain is among the data
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   int dimensions[2] = { 0, 0 };
-  std::string why;
   const auto image = bravais::ReadRank1Image(input, why);
-  if (image && (this->SamplesPerAxis < 1 || this->SamplesPerAxis > 256))
+  if (!image || !FindDimensions(*image, this->OutputDimensions, dimensions, why))
   {
-    why = "SamplesPerAxis is " + std::to_string(this->SamplesPerAxis) + "; 1 to 256 were expected.";
-  }
-  else if (image)
-  {
-    FindDimensions(*image, this->OutputDimensions, dimensions, why);
-  }
-  if (!why.empty())
-  {
-    vtkErrorMacro(<< why);
-    vtkImageData::GetData(outputVector)->Initialize();
-    return 0;
+    return fail();
   }
   double direction[9];
   double inverse[9];

@@ -43,6 +43,8 @@
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
 class VTKBRAVAIS_EXPORT vtkRank1ImageReconstruct : public vtkImageAlgorithm
 {
@@ -103,6 +105,8 @@ protected:
 private:
   vtkRank1ImageReconstruct(const vtkRank1ImageReconstruct&) = delete;
   void operator=(const vtkRank1ImageReconstruct&) = delete;
+
+  bool CheckParameters(bool blocks, std::string& why) const;
 
   int OutputDimensions[2] = { 0, 0 };
   int Interpolation = Barycentric;

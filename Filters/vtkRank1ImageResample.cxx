@@ -94,20 +94,31 @@ bravais::Rank1ResampleParameters GetParameters(vtkRank1ImageResample* self)
 int vtkRank1ImageResample::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  std::string why;
+  const auto fail = [&]
+  {
+    vtkErrorMacro(<< why);
+    bravais::RefuseInformation(outputVector);
+    return 0;
+  };
+  if (!bravais::CheckRank1Parameters(GetParameters(this), why))
+  {
+    return fail();
+  }
   if (!vtkImageData::GetData(outputVector))
   {
-    return 1; // of many blocks, each of which is asked by itself
+    // Many blocks, each of which is asked by itself and made whole.
+    const auto texels = static_cast<int>(std::max<vtkIdType>(1, this->NumberOfPoints));
+    const int least[6] = { 0, texels - 1, 0, this->Tiles[0] - 1, 0, this->Tiles[1] - 1 };
+    return bravais::CheckMemory(least, 1, why) ? 1 : fail();
   }
   vtkInformation* out = outputVector->GetInformationObject(0);
-  std::string why;
   double direction[9];
   int dimensions[3];
   const auto picture = GetPicture(inputVector[0]->GetInformationObject(0), direction, why);
   if (!picture || !bravais::FindRank1Dimensions(*picture, GetParameters(this), dimensions, why))
   {
-    vtkErrorMacro(<< why);
-    vtkImageData::GetData(outputVector)->Initialize();
-    return 0;
+    return fail();
   }
   const int extent[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1 };
   const double spacing[3] = { 1.0, 1.0, 1.0 };

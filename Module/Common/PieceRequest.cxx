@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceRequest.h"
 
+#include "vtkDataObject.h"
 #include "vtkExtentTranslator.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerRequestKey.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -56,6 +59,21 @@ void RequestWholeExtent(vtkInformation* input)
   int whole[6] = { 0, -1, 0, -1, 0, -1 };
   input->Get(Pipeline::WHOLE_EXTENT(), whole);
   RequestExtent(input, whole);
+}
+
+//------------------------------------------------------------------------------
+void RefuseInformation(vtkInformationVector* outputs)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  if (vtkImageData::SafeDownCast(output))
+  {
+    const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
+    outputs->GetInformationObject(0)->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
+  }
+  if (output)
+  {
+    output->Initialize();
+  }
 }
 
 } // namespace bravais

@@ -13,6 +13,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
+class vtkInformationVector;
 VTK_ABI_NAMESPACE_END
 
 namespace bravais
@@ -30,6 +31,10 @@ void RequestExtent(vtkInformation* input, const int extent[6]);
 
 /// Asks for all of an input, whatever piece is wanted.
 void RequestWholeExtent(vtkInformation* input);
+
+/// For a RequestInformation that fails: empties the output, be it one or many blocks, and tells of
+/// no extent, since of a block of many VTK asks for the data all the same.
+void RefuseInformation(vtkInformationVector* outputs);
 
 } // namespace bravais
 
