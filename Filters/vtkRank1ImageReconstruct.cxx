@@ -10,6 +10,8 @@
 #include "SliceLoop.h"
 
 #include "vtkDataArray.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -63,6 +65,17 @@ bool FindDimensions(
   dimensions[0] = static_cast<int>(w);
   dimensions[1] = static_cast<int>(h);
   return true;
+}
+
+/// Whether an input is there, all of it and as its source now makes it. A source of many blocks is
+/// not to be asked for them while they are handed in one by one.
+bool IsCurrent(vtkExecutive* source, vtkInformation* in)
+{
+  vtkImageData* image = vtkImageData::GetData(in);
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(source);
+  const int* whole = Pipeline::GetWholeExtent(in);
+  return image && pipeline && image->GetMTime() >= pipeline->GetPipelineMTime() &&
+    std::equal(whole, whole + 6, image->GetExtent());
 }
 
 /// Pixels of a part of a picture of so many pixels. False when the filter was aborted.
@@ -156,7 +169,10 @@ int vtkRank1ImageReconstruct::RequestInformation(
     return 1; // each is asked by itself
   }
   vtkInformation* out = outputVector->GetInformationObject(0);
-  this->GetInputAlgorithm()->UpdateWholeExtent(); // the domain is among the data
+  if (!IsCurrent(this->GetInputExecutive(0, 0), inputVector[0]->GetInformationObject(0)))
+  {
+    this->GetInputAlgorithm()->UpdateWholeExtent(); // the domain is among the data
+  }
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   int dimensions[2] = { 0, 0 };
   const auto image = bravais::ReadRank1Image(input, why);

@@ -8,7 +8,9 @@ import numpy as np
 from vtkmodules.vtkCommonCore import VTK_BIT, VTK_STRING
 from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet, vtkPlane, vtkPolyData, vtkSphere, vtkTable)
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkImageChangeInformation
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from bravais import (
@@ -179,6 +181,25 @@ class TestMultiBlockInput(unittest.TestCase):
                 output = algorithm.GetOutputDataObject(0)
                 for number in range(3):
                     alone = run(make_filter(kind, make(number))) if number != 1 else None
+                    self.assertEqual(count_points(output.GetBlock(number)), count_points(alone))
+
+    def test_blocks_of_another_filter(self):
+        for kind, make, _ in FILTERS:
+            if kind in (vtkPolyDataToGeometryImage, vtkRank1TexturePyramid):
+                continue  # takes no images, has a test of its own
+            with self.subTest(kind=kind.__name__):
+                producer = vtkTrivialProducer()
+                producer.SetOutput(make_blocks(make))
+                change = vtkImageChangeInformation()  # takes the blocks one by one itself
+                change.SetInputConnection(producer.GetOutputPort())
+                algorithm = kind()
+                algorithm.SetInputConnection(change.GetOutputPort())
+                output = run(algorithm)
+                for number in range(3):
+                    change = vtkImageChangeInformation()
+                    change.SetInputData(make(number))
+                    alone = run(make_filter(kind, run(change)))
+                    self.assertGreater(count_points(alone), 0)
                     self.assertEqual(count_points(output.GetBlock(number)), count_points(alone))
 
 
