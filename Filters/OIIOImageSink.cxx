@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OIIOImageSink.h"
 
+#include "OIIOChannels.h"
+
 #include <OpenImageIO/filesystem.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace bravais
@@ -17,6 +20,23 @@ namespace
 std::string GetMethod(const std::string& compression)
 {
   return compression.substr(0, compression.find(':'));
+}
+
+/// Soft ramps from 0.1 to 0.9, which formats that lose something keep.
+std::vector<float> MakePicture(const OIIO::ImageSpec& spec)
+{
+  std::vector<float> values;
+  for (int y = 0; y < spec.height; ++y)
+  {
+    for (int x = 0; x < spec.width; ++x)
+    {
+      for (int channel = 0; channel < spec.nchannels; ++channel)
+      {
+        values.push_back(0.1F + static_cast<float>(x + y + 4 * (channel % 4)) / 180.0F);
+      }
+    }
+  }
+  return values;
 }
 
 /// The one method of a format that does not tell which was used.
@@ -66,6 +86,12 @@ bool OIIOImageSink::CheckFormat(const OIIO::ImageSpec& spec, std::string& why) c
       " components, which files of the format " + format + " have no channels for.";
     return false;
   }
+  if (format == "rla" && spec.format != OIIO::TypeDesc::FLOAT)
+  {
+    why = std::string("The scalars are of type ") + spec.format.c_str() +
+      "; OpenImageIO's run lengths of the format rla do not keep all integers, float was expected.";
+    return false;
+  }
   if (spec.tile_width > 0 && !this->Output->supports("tiles"))
   {
     why = "TileSize is " + std::to_string(spec.tile_width) + ", " +
@@ -90,6 +116,13 @@ bool OIIOImageSink::CheckHeader(
       ". Convert them first.";
     return false;
   }
+  const std::vector<OIIOChannelArray> arrays = SortOIIOChannels(actual);
+  if (arrays.size() != 1 || !std::is_sorted(arrays[0].Channels.begin(), arrays[0].Channels.end()))
+  {
+    why = "The scalars have " + std::to_string(spec.nchannels) +
+      " components; a file of the format " + format + " would give them other meanings.";
+    return false;
+  }
   const std::string wanted = GetMethod(spec.get_string_attribute("compression"));
   if (!wanted.empty() && wanted != actual.get_string_attribute("compression", GetOwnMethod(format)))
   {
@@ -101,28 +134,48 @@ bool OIIOImageSink::CheckHeader(
 }
 
 //------------------------------------------------------------------------------
-bool OIIOImageSink::TryHeader(OIIO::ImageSpec spec, std::string& why)
+bool OIIOImageSink::TryPicture(OIIO::ImageSpec spec, std::string& why)
 {
   spec.width = spec.full_width = std::min(spec.width, 64);
   spec.height = spec.full_height = std::min(spec.height, 64);
-  const std::vector<char> zeros(
-    static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels * sizeof(double));
+  const std::vector<float> picture = MakePicture(spec);
   if (!this->Output->open(this->PartName, spec))
   {
     why = this->Explain("cannot be written");
     return false;
   }
-  const bool written = this->Output->write_image(OIIO::TypeDesc::UINT8, zeros.data());
+  const bool written = this->Output->write_image(OIIO::TypeDesc::FLOAT, picture.data());
   if (!written || !this->Output->close())
   {
     why = this->Explain("cannot be written");
     this->Output->close();
     return false;
   }
-  const auto input = OIIO::ImageInput::open(this->PartName);
+  OIIO::ImageSpec config;
+  config["oiio:UnassociatedAlpha"] = 1; // as vtkOIIOImageReader asks for
+  const auto input = OIIO::ImageInput::open(this->PartName, &config);
   static_cast<void>(OIIO::geterror());
   const OIIO::ImageSpec nothing(0, 0, 0, OIIO::TypeDesc::UNKNOWN);
-  return this->CheckHeader(spec, input ? input->spec() : nothing, why);
+  if (!this->CheckHeader(spec, input ? input->spec() : nothing, why))
+  {
+    return false;
+  }
+  std::vector<float> result(picture.size());
+  const bool read =
+    input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, result.data());
+  static_cast<void>(input->geterror());
+  constexpr float tolerance = 0.1F; // for formats that lose something
+  const auto close = [](float a, float b) { return std::abs(a - b) < tolerance; };
+  if (!read || !std::equal(picture.begin(), picture.end(), result.begin(), close))
+  {
+    why = "The scalars are " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+      " or more of type " + spec.format.c_str() + " with " + std::to_string(spec.nchannels) +
+      " components; as a file of the format " + this->Output->format_name() +
+      " OpenImageIO does not read them back as they are. Another type, format or TileSize was "
+      "expected.";
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -144,7 +197,7 @@ bool OIIOImageSink::Open(const std::string& name, const OIIO::ImageSpec& spec, s
   // The same extension, since some formats are told apart by it.
   const std::string extension = OIIO::Filesystem::extension(name);
   this->PartName = name.substr(0, name.size() - extension.size()) + ".part" + extension;
-  if (!this->TryHeader(spec, why))
+  if (!this->TryPicture(spec, why))
   {
     return false;
   }

@@ -35,9 +35,9 @@ public:
 private:
   bool CheckFormat(const OIIO::ImageSpec& spec, std::string& why) const;
 
-  /// Writes some black pixels and reads their header, since some formats make another type of what
-  /// they are given without a word.
-  bool TryHeader(OIIO::ImageSpec spec, std::string& why);
+  /// Writes a small picture and reads it, since some formats make another type of what they are
+  /// given without a word, and OpenImageIO does not read all that it writes.
+  bool TryPicture(OIIO::ImageSpec spec, std::string& why);
   bool CheckHeader(
     const OIIO::ImageSpec& spec, const OIIO::ImageSpec& actual, std::string& why) const;
 

@@ -24,8 +24,10 @@
  *
  * A file is complete or is not there: it is written under another name beside its own and then
  * takes the place of an older one. Errors, with no file: no file name, no point scalars, a format
- * that is unknown or lacks the type, the number of components, tiles or the compression, a folder
- * that cannot be written, and a volume without FilePrefix.
+ * that is unknown or lacks the type, the number of components, tiles or the compression, or whose
+ * files OpenImageIO does not read as they were written (a small picture is tried: 64 bits in tiles of
+ * TIFF, opacity in GIF and WebP), integers in RLA, a folder that cannot be written, and a volume
+ * without FilePrefix.
  *
  * Example:
  * @code

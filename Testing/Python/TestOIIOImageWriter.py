@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
+import itertools
 import os
 import tempfile
 import unittest
@@ -84,6 +85,51 @@ class TestOIIOImageWriter(unittest.TestCase):
                     result = to_numpy(self.read(name))
                     self.assertEqual(result.dtype, dtype, name)
                     np.testing.assert_array_equal(result, values, f"{name} {dtype} {components}")
+
+    def test_what_is_accepted_comes_back(self):
+        names = "bmp dpx exr fits gif hdr ico iff jp2 jpg pgm png ppm rla sgi tga tif webp zfile"
+        lossy = "gif", "hdr", "jpg", "webp"
+        types = "int8 uint8 int16 uint16 int32 uint32 int64 uint64 float32 float64"
+        y, x = np.mgrid[0:20, 0:25]
+        accepted = set()
+        for name, dtype, count in itertools.product(names.split(), types.split(), range(1, 6)):
+            info = np.iinfo(dtype) if "int" in dtype else None
+            ramps = ((x + y + 7)[..., None] * np.arange(1, 3 * count, 3) % 100).astype(dtype)
+            noise = np.random.default_rng(4).uniform(0, 1, ramps.shape)
+            noise = (noise * (info.max if info else 1)).astype(dtype)
+            soft = (10 + (x + y)[..., None] + 4 * np.arange(count)).astype(dtype)
+            for values in (soft,) if name in lossy else (ramps, noise, noise[:1], noise[:1, :1]):
+                values = values[None, ..., 0] if count == 1 else values[None]
+                writer = self.writer(values, "a." + name)
+                with Errors(writer) as errors:
+                    writer.Write()
+                if errors.texts:
+                    self.assertEqual(len(errors.texts), 1, errors.texts)
+                    self.assertEqual(os.listdir(self.folder), [])
+                    continue
+                result = to_numpy(self.read("a." + name))
+                os.remove(self.path("a." + name))
+                self.assertEqual(result.dtype, dtype)
+                accepted.add(name)
+                np.testing.assert_allclose(
+                    result.astype(float), values.astype(float), rtol=0,
+                    atol=6 if name in lossy else 0, err_msg=f"{name} {dtype} {count}")
+        self.assertGreater(len(accepted), 14, accepted)
+
+    def test_what_does_not_come_back_is_refused(self):
+        for name, dtype, components, word in (
+                ("a.rla", np.uint8, 1, "rla"), ("a.rla", np.uint32, 3, "rla"),
+                ("a.rla", np.float32, 5, "rla"), ("a.gif", np.uint8, 4, "gif"),
+                ("a.webp", np.uint8, 4, "webp")):
+            self.refuses(self.writer(self.make_picture(components, dtype), name), word)
+        double = self.make_picture(3, np.float64)
+        self.refuses(self.writer(double[:, :1], "a.tif"), "double", "x 1 ")
+        self.refuses(self.writer(double, "a.tif", TileSize=(16, 16)), "double", "TileSize")
+
+    def test_double_of_more_rows_than_are_read_together(self):
+        values = np.random.default_rng(3).normal(size=(1, 17, 70000))
+        self.write(values, "a.tif")
+        np.testing.assert_array_equal(to_numpy(self.read("a.tif")), values)
 
     def test_hdr_keeps_a_byte_of_each_colour(self):
         values = np.exp(np.random.default_rng(3).uniform(-9, 9, (1, 20, 30, 3))).astype(np.float32)
