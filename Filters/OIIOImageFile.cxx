@@ -160,6 +160,14 @@ bool OIIOImageFile::CheckHeader(std::string& why)
         why);
     }
   }
+  if (this->IsWideTIFF() && (spec.tile_width > 0 || spec.height == 1))
+  {
+    return this->Fail(Trouble::Format,
+      "holds " + size.str() +
+        " of 64 bits in tiles or in one row, of which OpenImageIO makes zeros; " +
+        "rows of them, two or more, were expected.",
+      why);
+  }
   if (this->GetFormat() == "jpeg" && !IsWholeJPEG(this->Name))
   {
     return this->Fail(Trouble::Format,
@@ -213,8 +221,18 @@ int OIIOImageFile::CountMipLevels()
 }
 
 //------------------------------------------------------------------------------
+bool OIIOImageFile::IsWideTIFF() const
+{
+  return this->GetFormat() == "tiff" && this->Spec.format.size() == 8;
+}
+
+//------------------------------------------------------------------------------
 int OIIOImageFile::GetRowsPerBlock() const
 {
+  if (this->IsWideTIFF())
+  {
+    return this->Spec.height; // OpenImageIO 2.4 makes zeros of single rows
+  }
   if (this->Spec.tile_height > 0)
   {
     return this->Spec.tile_height;

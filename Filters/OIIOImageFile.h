@@ -60,6 +60,9 @@ private:
   bool Fail(Trouble trouble, const std::string& text, std::string& why);
   bool CheckHeader(std::string& why);
 
+  /// Whether it is a TIFF file of numbers of 64 bits.
+  bool IsWideTIFF() const;
+
   std::string Name;
   int SubImage = 0;
   int MipLevel = 0;

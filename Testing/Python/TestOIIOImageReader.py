@@ -271,6 +271,14 @@ class TestOIIOImageReaderBadInput(Folder):
         (self.folder / "a.tif").write_bytes(content[:len(content) // 2])
         refuses(self, self.reader("a.tif"), "a.tif", "rows")
 
+    def test_a_single_row_of_doubles(self):
+        tags = [(256, 3, 2), (257, 3, 1), (258, 3, 64), (259, 3, 1), (262, 3, 1), (273, 4, 134),
+                (277, 3, 1), (278, 3, 1), (279, 4, 16), (339, 3, 3)]
+        (self.folder / "a.tif").write_bytes(struct.pack("<2sHIH", b"II", 42, 8, len(tags)) + b"".join(
+            struct.pack("<HHII", tag, kind, 1, value) for tag, kind, value in tags) + bytes(4) +
+            struct.pack("<2d", 1.5, 2.5))
+        refuses(self, self.reader("a.tif"), "2 x 1 pixels of 1 channels of 64 bits")
+
     def test_header_of_more_pixels_than_the_file_can_hold(self):
         for width, height in (40000, 25000), (2 ** 31 - 1, 2 ** 31 - 1), (100000, 100000):
             header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
