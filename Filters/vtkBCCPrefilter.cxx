@@ -160,15 +160,19 @@ int vtkBCCPrefilter::RequestData(
   output->AllocateScalars(type, components);
   vtkDataArray* coefficients = output->GetPointData()->GetScalars();
   coefficients->SetName(scalars->GetName());
+  std::atomic<bool> finite(true);
   if (!bravais::ComputeBCCCoefficients(this, input, whole.data(), this->Kernel, this->Method,
-        coefficients, extent.data(), 0.0, 1.0))
+        coefficients, extent.data(), 0.0, 1.0, &finite))
   {
     output->Initialize();
+    return 1;
   }
-  else
+  why = finite ? std::string() : bravais::ExplainBCCCoefficients(scalars, coefficients);
+  if (!why.empty())
   {
-    output->Crop(piece.data());
+    return fail(why);
   }
+  output->Crop(piece.data());
   return 1;
 }
 

@@ -29,7 +29,8 @@
  * Any piece equals that piece of the whole. Interpolation and Projection need the whole input for
  * it, and compute all of it anew. A NaN spoils its neighbourhood under QuasiInterpolation, and its
  * whole component under the other two. Bad input (not tagged, fewer than two layers, BCC7 or BCC12
- * with Interpolation) gets one error and an empty output.
+ * with Interpolation, samples so large that coefficients are beyond float or double) gets one error
+ * and an empty output.
  *
  * Example:
  * @code

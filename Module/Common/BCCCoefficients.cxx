@@ -14,6 +14,12 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <type_traits>
 
 namespace bravais
 {
@@ -51,9 +57,48 @@ void CopyLayer(const BCCBlock<const T>& from, const BCCBlock<R>& to, int k)
   }
 }
 
+/// Whether numbers are finite: of all others the exponent has no bit that is 0, so that one more
+/// makes it overflow. Compilers do so with many at once, unlike comparisons of floats.
+template <class R>
+bool AreFinite(const R* values, std::int64_t count)
+{
+  using Bits = std::conditional_t<sizeof(R) == 4, std::uint32_t, std::uint64_t>;
+  constexpr int fraction = std::numeric_limits<R>::digits - 1;
+  constexpr Bits sign = Bits{ 1 } << (8 * sizeof(R) - 1);
+  constexpr Bits one = Bits{ 1 } << fraction;
+  constexpr Bits exponent = sign - one;
+  Bits sum = 0;
+  for (std::int64_t n = 0; n < count; ++n)
+  {
+    Bits bits;
+    std::memcpy(&bits, values + n, sizeof(R));
+    sum |= (bits & exponent) + one;
+  }
+  return (sum & sign) == 0;
+}
+
+/// The same of an array of floats or doubles.
+bool AreFinite(vtkDataArray* array)
+{
+  std::atomic<bool> finite(true);
+  const void* data = array->GetVoidPointer(0);
+  vtkSMPTools::For(0, array->GetNumberOfValues(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      if (array->GetDataType() == VTK_DOUBLE
+          ? !AreFinite(static_cast<const double*>(data) + begin, end - begin)
+          : !AreFinite(static_cast<const float*>(data) + begin, end - begin))
+      {
+        finite = false;
+      }
+    });
+  return finite;
+}
+
 template <class T, class R>
 bool Compute(vtkAlgorithm* self, const BCCExtent& whole, BCCKernel kernel, BCCPrefilter prefilter,
-  const BCCBlock<const T>& samples, const BCCBlock<R>& coefficients, double begin, double end)
+  const BCCBlock<const T>& samples, const BCCBlock<R>& coefficients, double begin, double end,
+  std::atomic<bool>* finite)
 {
   const BCCExtent& extent = coefficients.Extent;
   const auto layer = [&](int k)
@@ -67,6 +112,13 @@ bool Compute(vtkAlgorithm* self, const BCCExtent& whole, BCCKernel kernel, BCCPr
     one.Data = coefficients.GetRow(extent[2], k);
     one.Extent[4] = one.Extent[5] = k;
     QuasiInterpolate(kernel, whole, samples, one);
+    // While the layer is still in the processor's cache.
+    const std::int64_t columns = std::int64_t{ extent[1] } - extent[0] + 1;
+    const std::int64_t rows = std::int64_t{ extent[3] } - extent[2] + 1;
+    if (finite && !AreFinite(one.Data, columns * rows * one.Components))
+    {
+      *finite = false;
+    }
   };
   // A spline of BCC4 passes through its coefficients.
   const bool spectral = NeedsWholeVolume(static_cast<int>(prefilter)) &&
@@ -142,7 +194,8 @@ BCCExtent ToBCCExtent(const int extent[6])
 
 //------------------------------------------------------------------------------
 bool ComputeBCCCoefficients(vtkAlgorithm* self, vtkImageData* image, const int whole[6], int kernel,
-  int prefilter, vtkDataArray* coefficients, const int extent[6], double begin, double end)
+  int prefilter, vtkDataArray* coefficients, const int extent[6], double begin, double end,
+  std::atomic<bool>* finite)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   const int components = scalars->GetNumberOfComponents();
@@ -157,13 +210,38 @@ bool ComputeBCCCoefficients(vtkAlgorithm* self, vtkImageData* image, const int w
     const BCCBlock<R> target(
       static_cast<R*>(coefficients->GetVoidPointer(0)), ToBCCExtent(extent), components);
     done = Compute<T, R>(self, ToBCCExtent(whole), *ToBCCKernel(kernel), *ToBCCPrefilter(prefilter),
-      samples, target, begin, end);
+      samples, target, begin, end, finite);
   };
   switch (scalars->GetDataType())
   {
     vtkTemplateMacro(run(VTK_TT{}));
   }
+  if (done && finite && NeedsWholeVolume(prefilter) && !AreFinite(coefficients))
+  {
+    *finite = false;
+  }
   return done;
+}
+
+//------------------------------------------------------------------------------
+std::string ExplainBCCCoefficients(vtkDataArray* samples, vtkDataArray* coefficients)
+{
+  const int type = samples->GetDataType();
+  if ((type == VTK_FLOAT || type == VTK_DOUBLE) && !AreFinite(samples))
+  {
+    return {};
+  }
+  double largest = 0.0;
+  for (int component = 0; component < samples->GetNumberOfComponents(); ++component)
+  {
+    double range[2];
+    samples->GetRange(range, component);
+    largest = std::max({ largest, std::abs(range[0]), std::abs(range[1]) });
+  }
+  std::ostringstream text;
+  text << "The samples reach " << largest << ", and their coefficients are beyond what "
+       << coefficients->GetDataTypeAsString() << " holds; smaller samples were expected.";
+  return text.str();
 }
 
 } // namespace bravais

@@ -10,6 +10,7 @@
 #include "BCCBlock.h"
 #include "vtkBravaisABINamespace.h"
 
+#include <atomic>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -36,9 +37,15 @@ BCCExtent ToBCCExtent(const int extent[6]);
 /// Fills `coefficients`, an array of GetBCCCoefficientType with the scalars' components, with the
 /// coefficients for `extent`. The image holds the samples of that extent and one more on each side,
 /// within the whole extent, or the whole where the prefilter needs it. Progress goes to `self`
-/// from `begin` to `end`; false if it was aborted. `self` may be nullptr.
+/// from `begin` to `end`; false if it was aborted. `self` may be nullptr. `finite`, if any, becomes
+/// false where a coefficient is not.
 bool ComputeBCCCoefficients(vtkAlgorithm* self, vtkImageData* image, const int whole[6], int kernel,
-  int prefilter, vtkDataArray* coefficients, const int extent[6], double begin, double end);
+  int prefilter, vtkDataArray* coefficients, const int extent[6], double begin, double end,
+  std::atomic<bool>* finite = nullptr);
+
+/// Why coefficients are not finite: a sentence that tells how large the samples are, or nothing
+/// where these are not finite themselves.
+std::string ExplainBCCCoefficients(vtkDataArray* samples, vtkDataArray* coefficients);
 
 } // namespace bravais
 

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import reference
 from bravais import vtkBCCLattice, vtkBCCPrefilter, vtkBCCVolumeSource, vtkBCCVolumeToImage
 from checks import (
-    PieceSource, check_pieces, check_progress, check_threads, make_volume, modify,
+    PieceSource, check_pieces, check_progress, check_threads, make_volume, modify, refuses,
     to_numpy)
 
 METHODS = [(4, 1), (7, 0), (7, 1), (8, 1), (12, 1), (4, 2), (8, 2), (7, 3), (12, 3)]
@@ -171,6 +171,29 @@ class TestBCCPrefilter(unittest.TestCase):
         modify(prefilter)
         prefilter.UpdateExtent((1, 2, 1, 1, 5, 5))
         self.assertEqual(source.asked, [[0, 3, 0, 2, 2, 5], [1, 2, 1, 1, 5, 5]])
+
+    def test_samples_near_the_limits_of_their_type(self):
+        for dtype in np.float32, np.float64:
+            limit = float(np.finfo(dtype).max)
+            array = self.array.astype(dtype)
+            large = np.ldexp(array, np.finfo(dtype).maxexp - 13)
+            for kernel, method in METHODS:
+                np.testing.assert_array_equal(
+                    to_numpy(run(make_volume(large), kernel, method)),
+                    np.ldexp(to_numpy(run(make_volume(array), kernel, method)),
+                             np.finfo(dtype).maxexp - 13))
+            large = np.full((6, 3, 4), 0.9 * limit, dtype)
+            large[::2] *= -1
+            np.testing.assert_array_equal(to_numpy(run(make_volume(large), 7, 0)), large)
+            for kernel, method in (7, 1), (8, 1), (12, 1), (8, 2), (7, 3), (8, 3), (12, 3):
+                prefilter = make_filter(PieceSource(make_volume(large)), kernel, method)
+                refuses(self, prefilter, "samples reach %g" % (0.9 * limit),
+                        "float" if dtype == np.float32 else "double")
+                # What is not finite by itself is no error.
+                strange = large.copy()
+                strange[1, 1, 1] = np.nan
+                self.assertTrue(np.isnan(
+                    to_numpy(run(make_volume(strange), kernel, method))[1, 1, 1]))
 
     def test_threads_and_progress(self):
         array = np.random.default_rng(3).uniform(-1, 1, (40, 8, 9, 2)).astype(np.float32)
