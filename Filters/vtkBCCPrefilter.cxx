@@ -111,6 +111,14 @@ int vtkBCCPrefilter::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+bool vtkBCCPrefilter::HasKept(vtkImageData* input, const std::array<int, 6>& extent) const
+{
+  const Whole& kept = this->Kept;
+  return kept.Coefficients && input && kept.Input == input && kept.InputTime == input->GetMTime() &&
+    kept.Extent == extent && kept.Method == this->Method && kept.Kernel == this->Kernel;
+}
+
+//------------------------------------------------------------------------------
 int vtkBCCPrefilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -127,6 +135,10 @@ int vtkBCCPrefilter::RequestData(
   {
     return 1; // a piece without points
   }
+  if (!this->HasKept(input, whole))
+  {
+    this->Kept = Whole();
+  }
   const auto fail = [&](const std::string& why)
   {
     vtkErrorMacro(<< why);
@@ -141,9 +153,10 @@ int vtkBCCPrefilter::RequestData(
   vtkDataArray* scalars = input->GetPointData()->GetScalars();
   const int components = scalars->GetNumberOfComponents();
   const int type = bravais::GetBCCCoefficientType(scalars->GetDataType());
-  // A spectral method makes the whole volume, of which what was asked for is kept.
+  // A spectral method makes the whole volume, of which what was asked for is put out.
   const bravais::BCCExtent piece = extent;
-  if (bravais::NeedsWholeVolume(this->Method))
+  const bool spectral = bravais::NeedsWholeVolume(this->Method);
+  if (spectral)
   {
     extent = whole;
   }
@@ -157,21 +170,34 @@ int vtkBCCPrefilter::RequestData(
     return fail("The input does not hold the extent that it was asked for.");
   }
   output->SetExtent(extent.data());
-  output->AllocateScalars(type, components);
-  vtkDataArray* coefficients = output->GetPointData()->GetScalars();
-  coefficients->SetName(scalars->GetName());
-  std::atomic<bool> finite(true);
-  if (!bravais::ComputeBCCCoefficients(this, input, whole.data(), this->Kernel, this->Method,
-        coefficients, extent.data(), 0.0, 1.0, &finite))
+  vtkSmartPointer<vtkDataArray> coefficients = this->Kept.Coefficients;
+  if (coefficients)
   {
-    output->Initialize();
-    return 1;
+    output->GetPointData()->SetScalars(coefficients);
+    this->UpdateProgress(1.0);
   }
-  why = finite ? std::string() : bravais::ExplainBCCCoefficients(scalars, coefficients);
-  if (!why.empty())
+  else
   {
-    return fail(why);
+    output->AllocateScalars(type, components);
+    coefficients = output->GetPointData()->GetScalars();
+    coefficients->SetName(scalars->GetName());
+    std::atomic<bool> finite(true);
+    if (!bravais::ComputeBCCCoefficients(this, input, whole.data(), this->Kernel, this->Method,
+          coefficients, extent.data(), 0.0, 1.0, &finite))
+    {
+      output->Initialize();
+      return 1;
+    }
+    why = finite ? std::string() : bravais::ExplainBCCCoefficients(scalars, coefficients);
+    if (!why.empty())
+    {
+      return fail(why);
+    }
   }
+  const bool last = piece[1] == whole[1] && piece[3] == whole[3] && piece[5] == whole[5];
+  this->Kept = spectral && !last && !this->GetReleaseDataFlag()
+    ? Whole{ coefficients, input, input->GetMTime(), whole, this->Method, this->Kernel }
+    : Whole();
   output->Crop(piece.data());
   return 1;
 }
@@ -182,4 +208,5 @@ void vtkBCCPrefilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->GetMethodAsString() << "\n";
   os << indent << "Kernel: " << this->GetKernelAsString() << "\n";
+  os << indent << "Kept Coefficients: " << this->Kept.Coefficients.Get() << "\n";
 }

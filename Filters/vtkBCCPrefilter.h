@@ -27,10 +27,12 @@
  * integer, else in float. Memory beside input and output: some lines a thread.
  *
  * Any piece equals that piece of the whole. Interpolation and Projection need the whole input for
- * it, and compute all of it anew. A NaN spoils its neighbourhood under QuasiInterpolation, and its
- * whole component under the other two. Bad input (not tagged, fewer than two layers, BCC7 or BCC12
- * with Interpolation, samples so large that coefficients are beyond float or double) gets one error
- * and an empty output.
+ * it and compute all of it, once for all pieces: beside a piece the coefficients of the whole
+ * volume are kept, until the input or a parameter changes or the piece with the volume's last point
+ * has been put out. With ReleaseDataFlag on they are not kept, but computed anew for each piece. A
+ * NaN spoils its neighbourhood under QuasiInterpolation, and its whole component under the other
+ * two. Bad input (not tagged, fewer than two layers, BCC7 or BCC12 with Interpolation, samples so
+ * large that coefficients are beyond float or double) gets one error and an empty output.
  *
  * Example:
  * @code
@@ -49,8 +51,13 @@
 #include "vtkBravaisABINamespace.h"
 #include "vtkBravaisModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h" // For the coefficients that are kept
+
+#include <array>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+
 class VTKBRAVAIS_EXPORT vtkBCCPrefilter : public vtkImageAlgorithm
 {
 public:
@@ -110,6 +117,19 @@ protected:
 private:
   vtkBCCPrefilter(const vtkBCCPrefilter&) = delete;
   void operator=(const vtkBCCPrefilter&) = delete;
+
+  /// The coefficients of a whole volume, and what they are of.
+  struct Whole
+  {
+    vtkSmartPointer<vtkDataArray> Coefficients;
+    vtkImageData* Input = nullptr; ///< to be compared, never used
+    vtkMTimeType InputTime = 0;
+    std::array<int, 6> Extent = {};
+    int Method = None;
+    int Kernel = 0;
+  };
+  Whole Kept;
+  bool HasKept(vtkImageData* input, const std::array<int, 6>& extent) const;
 };
 VTK_ABI_NAMESPACE_END
 

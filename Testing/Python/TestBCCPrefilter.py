@@ -4,8 +4,10 @@ import unittest
 
 import numpy as np
 from vtkmodules import vtkCommonCore
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkImagingCore import vtkImageDataStreamer
 
 import reference
 from bravais import vtkBCCLattice, vtkBCCPrefilter, vtkBCCVolumeSource, vtkBCCVolumeToImage
@@ -162,6 +164,50 @@ class TestBCCPrefilter(unittest.TestCase):
         prefilter.UpdateExtent((1, 2, 1, 1, 3, 4))
         self.assertEqual(prefilter.GetOutput().GetExtent(), (1, 2, 1, 1, 3, 4))
         self.assertEqual(source.asked, [[0, 3, 0, 2, 1, 6]])
+
+    def test_the_whole_is_computed_once_for_all_pieces(self):
+        for kernel, method in (8, 2), (7, 3):
+            values = self.array.copy()
+            volume = make_volume(values)
+            expected = to_numpy(run(volume, kernel, method)).copy()
+            prefilter = vtkBCCPrefilter()
+            prefilter.SetInputData(volume)
+            prefilter.SetKernel(kernel)
+            prefilter.SetMethod(method)
+            samples = vtk_to_numpy(volume.GetPointData().GetScalars())
+
+            def layer(k):
+                prefilter.UpdateExtent((0, 3, 0, 2, k, k))
+                return to_numpy(prefilter.GetOutput())[0]
+            for k in 0, 3, 1:
+                np.testing.assert_array_equal(layer(k), expected[k])
+                samples *= 2  # which nobody is told of
+            prefilter.SetReleaseDataFlag(True)  # keeps nothing
+            np.testing.assert_array_equal(layer(2), expected[2])
+            np.testing.assert_allclose(layer(0), 8 * expected[0], rtol=1e-12)
+            prefilter.SetReleaseDataFlag(False)
+            np.testing.assert_allclose(layer(1), 8 * expected[1], rtol=1e-12)
+            samples *= 2
+            np.testing.assert_allclose(layer(5), 8 * expected[5], rtol=1e-12)  # the last one
+            np.testing.assert_allclose(layer(0), 16 * expected[0], rtol=1e-12)
+            samples *= 2
+            volume.GetPointData().GetScalars().Modified()
+            np.testing.assert_allclose(layer(2), 32 * expected[2], rtol=1e-12)
+            prefilter.SetMethodToNone()
+            np.testing.assert_array_equal(layer(0), 32 * self.array[0])
+            prefilter.SetMethod(method)
+            np.testing.assert_allclose(layer(2), 32 * expected[2], rtol=1e-12)
+
+    def test_streamed_slabs_are_parts_of_the_whole(self):
+        array = np.random.default_rng(3).uniform(-1, 1, (11, 8, 9))
+        prefilter = make_filter(PieceSource(make_volume(array)), 7, 3)
+        expected = to_numpy(run(make_volume(array), 7, 3)).copy()
+        streamer = vtkImageDataStreamer()
+        streamer.SetInputConnection(prefilter.GetOutputPort())
+        streamer.SetNumberOfStreamDivisions(5)
+        streamer.Update()
+        np.testing.assert_array_equal(to_numpy(streamer.GetOutput()), expected)
+        self.assertRegex(str(prefilter), "Kept Coefficients: (0|0x0|.nil.)\n")
 
     def test_no_more_is_asked_for_than_needed(self):
         source = PieceSource(make_volume(self.array, start=(0, 0, 1)))
