@@ -9,6 +9,7 @@ in VTK, so that `numpy.hstack` puts two of them side by side.
 import math
 
 import numpy
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
@@ -37,6 +38,10 @@ def isosurface(volume, value, color=(0.93, 0.8, 0.68)):
     both step by half the edge of a cube with one sample in it.
     """
     _check(volume, "vtkImageData")
+    if not (volume.GetPointData().GetScalars() or volume.GetCellData().GetScalars()):
+        raise ValueError("The volume has no scalars.")
+    if math.isnan(value):
+        raise ValueError(f"The value is {value}; a number was expected.")
     bcc = vtkBCCLattice.IsBCC(volume)
     mapper = vtkBCCVolumeMapper() if bcc else vtkGPUVolumeRayCastMapper()
     mapper.SetInputData(volume)
@@ -85,11 +90,15 @@ def surface(mesh, color=(0.93, 0.8, 0.68)):
 
 
 def _check(data, kind):
-    if data is None or not data.IsA(kind):
-        raise ValueError(f"{data if data is None else data.GetClassName()} is no {kind}.")
+    if not isinstance(data, vtkObject):
+        raise ValueError(f"{data!r:.80} is no {kind}.")
+    if not data.IsA(kind):
+        raise ValueError(f"{data.GetClassName()} is no {kind}.")
 
 
 def _make_grey(mesh):
+    if not (mesh.GetPointData().GetScalars() or mesh.GetCellData().GetScalars()):
+        raise ValueError("The mesh has no scalars, and no colour is given.")
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(mesh)
     mapper.SetScalarRange(mesh.GetScalarRange())
@@ -108,6 +117,14 @@ def make_window(*props, size=(400, 400), position=(0.55, -1, 0.35), up=(0, 0, 1)
 
     Two lights move with the camera, `window.GetRenderers().GetFirstRenderer().GetActiveCamera()`.
     """
+    for prop in props:
+        _check(prop, "vtkProp")
+    if min(size) < 1:
+        raise ValueError(f"The size is {tuple(size)}; a width and a height of 1 or more were expected.")
+    if not 0 < numpy.abs(position).max() < math.inf:
+        raise ValueError(f"The position is {tuple(position)}; a direction was expected.")
+    if not 0 < zoom < math.inf:
+        raise ValueError(f"The zoom is {zoom}; a positive number was expected.")
     renderer = vtkRenderer()
     renderer.GradientBackgroundOn()
     renderer.SetBackground(0.05, 0.06, 0.09)
@@ -145,6 +162,7 @@ def _add_light(renderer, position, intensity, color):
 
 def grab(window):
     """What a vtkRenderWindow shows since it was last rendered: bytes [y, x, RGB]."""
+    _check(window, "vtkRenderWindow")
     capture = vtkWindowToImageFilter()
     capture.SetInput(window)
     capture.ReadFrontBufferOff()
@@ -158,7 +176,8 @@ def render(*props, **options):
 
     With a window in their place, `render(window)`, that is drawn once more.
     """
-    window = props[0] if props and props[0].IsA("vtkRenderWindow") else make_window(*props, **options)
+    given = len(props) == 1 and isinstance(props[0], vtkRenderWindow)
+    window = props[0] if given else make_window(*props, **options)
     window.Render()
     return grab(window)
 
@@ -169,12 +188,15 @@ def read_picture(path):
 
 
 def write_picture(path, pixels):
-    """Writes pixels [y, x] or [y, x, RGB] as a PNG; what are no bytes is rounded and clamped to 0..255."""
+    """Writes pixels [y, x] or [y, x, RGB] as a PNG; what are no bytes is rounded and clamped to 0..255.
+
+    A NaN becomes 0. Grey and opacity, and RGBA, are pixels too.
+    """
     pixels = numpy.asarray(pixels)
-    if pixels.ndim not in (2, 3):
+    if pixels.ndim not in (2, 3) or pixels.ndim == 3 and pixels.shape[2] > 4:
         raise ValueError(f"An array of shape {pixels.shape} is no picture: [y, x] or [y, x, RGB] was expected.")
     if pixels.dtype != numpy.uint8:
-        pixels = numpy.clip(numpy.rint(pixels), 0, 255).astype(numpy.uint8)
+        pixels = numpy.clip(numpy.rint(numpy.nan_to_num(pixels)), 0, 255).astype(numpy.uint8)
     writer = vtkPNGWriter()
     writer.SetInputData(image_from_numpy(pixels, components=pixels.ndim == 3))
     writer.SetFileName(str(path))

@@ -9,6 +9,7 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .vtkBravais import vtkRank1TextureSampler
 
@@ -68,7 +69,7 @@ def rank1_sample(texture, uv, footprints=None, **settings):
 
 
 def _is_algorithm(data):
-    return data is not None and data.IsA("vtkAlgorithm")
+    return isinstance(data, vtkAlgorithm)
 
 
 def _set(algorithm, name, value):

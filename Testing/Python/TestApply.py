@@ -88,6 +88,8 @@ class TestApply(unittest.TestCase):
             bravais.apply(bravais.vtkBCCVolumeToImage, source)
         with self.assertRaises(TypeError):
             bravais.apply(bravais.vtkBCCVolumeSource, Dimensions="many")
+        with self.assertRaisesRegex(TypeError, "VTK object"):
+            bravais.apply(bravais.vtkBCCVolumeToImage, numpy.zeros((4, 4, 4)))
 
     def test_is_left_as_it_was(self):
         """No observer stays, so that errors of later updates are heard again."""

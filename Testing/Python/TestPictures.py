@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures in few lines: what is drawn where, and files that come back."""
+import math
 import os
 import unittest
 
 import numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import bravais
@@ -88,6 +90,8 @@ class TestFiles(unittest.TestCase):
         path = os.path.join(FOLDER, "rounded.png")
         bravais.write_picture(path, [[-5.0, 0.4, 0.6], [254.6, 300.0, 17.0]])
         numpy.testing.assert_array_equal(bravais.read_picture(path), [[0, 0, 1], [255, 255, 17]])
+        bravais.write_picture(path, [[math.nan, math.inf, -math.inf]])
+        numpy.testing.assert_array_equal(bravais.read_picture(path), [[0, 255, 0]])
 
     def test_bad_input(self):
         with self.assertRaisesRegex(ValueError, r"\(2, 2, 2, 2\)"):
@@ -97,10 +101,37 @@ class TestFiles(unittest.TestCase):
             bravais.write_picture(missing, numpy.zeros((2, 2)))
         with self.assertRaisesRegex(RuntimeError, "none"):
             bravais.read_picture(missing)
-        with self.assertRaisesRegex(ValueError, "None"):
-            bravais.isosurface(None, 0)
-        with self.assertRaisesRegex(ValueError, "no vtkPolyData"):
-            bravais.surface(bravais.image_from_numpy(numpy.zeros((2, 2))))
+        with self.assertRaisesRegex(ValueError, "7"):
+            bravais.write_picture(os.path.join(FOLDER, "a.png"), numpy.zeros((2, 2, 7)))
+
+
+class TestBadInput(unittest.TestCase):
+    def test_no_volumes_meshes_and_props(self):
+        image = bravais.image_from_numpy(numpy.zeros((2, 2, 2)))
+        mesh = bravais.apply(vtkSphereSource)
+        for call, words in (
+                (lambda: bravais.isosurface(None, 0), "None is no vtkImageData"),
+                (lambda: bravais.isosurface(numpy.zeros(4), 0), "array.* is no vtkImageData"),
+                (lambda: bravais.isosurface(vtkImageData(), 0), "no scalars"),
+                (lambda: bravais.isosurface(image, math.nan), "value is nan"),
+                (lambda: bravais.surface(image), "vtkImageData is no vtkPolyData"),
+                (lambda: bravais.surface(5), "5 is no vtkPolyData"),
+                (lambda: bravais.surface(mesh, None), "no scalars"),
+                (lambda: bravais.render(None), "None is no vtkProp"),
+                (lambda: bravais.render(image), "vtkImageData is no vtkProp"),
+                (lambda: bravais.render(bravais.surface(mesh), 5), "5 is no vtkProp"),
+                (lambda: bravais.grab(None), "None is no vtkRenderWindow")):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+
+    def test_views(self):
+        for options, words in (({"size": (0, 5)}, r"size is \(0, 5\)"),
+                               ({"size": (5, -1)}, r"size is \(5, -1\)"),
+                               ({"zoom": 0}, "zoom is 0"), ({"zoom": math.nan}, "zoom is nan"),
+                               ({"position": (0, 0, 0)}, "position is"),
+                               ({"position": (1, math.nan, 0)}, "position is")):
+            with self.assertRaisesRegex(ValueError, words):
+                bravais.make_window(**options)
 
 
 if __name__ == "__main__":
