@@ -67,15 +67,16 @@ vec4 computeGradient(in vec3 texPos, in int c, in sampler3D volume, in int index
 #else
   vec3 gradient = vec3(gx[c], gy[c], gz[c]);
 #endif
-  gradient = g_bccToGradient * gradient;
-#ifdef BCC_GRADIENT_OPACITY
+  // Of small numbers, as floats hold no squares of large ones.
   vec3 edge = in_cellSpacing[0];
   float range = in_scalarsRange[c].y - in_scalarsRange[c].x;
-  float magnitude = length(gradient) * (edge.x + edge.y + edge.z) / 3.0;
+  gradient = g_bccToGradient * (gradient / (range != 0.0 ? range : 1.0)) * dot(edge, vec3(1.0 / 3.0));
+#ifdef BCC_GRADIENT_OPACITY
+  float magnitude = length(gradient);
   vec3 direction = magnitude > 0.0 ? normalize(gradient) : vec3(0.0);
-  return vec4(direction, clamp(magnitude / (0.25 * (range != 0.0 ? range : 1.0)), 0.0, 1.0));
+  return vec4(direction, clamp(4.0 * magnitude, 0.0, 1.0));
 #else
-  return vec4(gradient * in_volume_scale[0][c], -1.0);
+  return vec4(gradient, -1.0);
 #endif
 }
 #endif

@@ -52,6 +52,29 @@ class TestBCCVolumeMapperTransferFunctions(unittest.TestCase):
         numpy.testing.assert_array_equal(
             comparison.make_scenes("Composite", disable)[1].render(), plain)
 
+    def test_gradients_of_large_values_in_small_volumes(self):
+        """Floats do not hold their squares."""
+        pictures = []
+        for factor, edge in (1, 1), (1e18, 1e-3), (1e-15, 1e3):
+            box = [edge * b for b in scenes.BOX]
+            mapper = vtkBCCVolumeMapper()
+            mapper.SetInputData(scenes.make_bcc(
+                lambda x, y, z: factor * comparison.wave(x / edge, y / edge, z / edge),
+                (12, 12, 24), box))
+            volume_property = scenes.make_property(
+                -factor, factor, [(factor * x, a) for x, a in comparison.OPACITIES])
+            function = vtkPiecewiseFunction()
+            for steepness, opacity in ((0.05, 0), (0.25, 1)):
+                function.AddPoint(factor * steepness, opacity)
+            volume_property.SetGradientOpacity(function)
+            volume_property.SetScalarOpacityUnitDistance(0.1 * edge)
+            scene = scenes.Scene(mapper, volume_property, size=48, sample_distance=0.04 * edge)
+            scene.renderer.ResetCamera(box)
+            pictures.append(scene.render())
+        self.assertGreater(pictures[0].std(), 5)
+        for picture in pictures[1:]:
+            self.assertLess(numpy.abs(picture - pictures[0]).mean(), 0.1)
+
     def test_range_types(self):
         def make(color, opacity, gradient):
             def prepare(scene, mapper, volume_property):
