@@ -119,23 +119,33 @@ bool vtkBCCRenderChecks::CheckPatterns(int jitter, int size, std::string& why)
 
 //------------------------------------------------------------------------------
 bool vtkBCCRenderChecks::CheckSampleDistances(
-  vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, std::string& why)
+  vtkRenderer* renderer, vtkGPUVolumeRayCastMapper* mapper, double distance, std::string& why)
 {
-  const double step = mapper->GetSampleDistance();
   const bool asked =
     !mapper->GetAutoAdjustSampleDistances() && !mapper->GetLockSampleDistanceToInputSpacing();
+  const char* const name = asked ? "SampleDistance" : "The sample distance by the input's spacing";
+  const double pixels = mapper->GetImageSampleDistance();
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const double samples = mapper->GetLength() / distance;
   std::ostringstream text;
-  if (std::isnan(mapper->GetImageSampleDistance()))
+  if (std::isnan(pixels))
   {
     text << "ImageSampleDistance is nan; it has to be from 0.1 to 100 pixels.";
   }
-  else if (asked && !(step > 0.0 && std::isfinite(step)))
+  else if (pixels > std::min(size[0], size[1]))
   {
-    text << "SampleDistance is " << step << "; it has to be a positive number.";
+    text << "ImageSampleDistance is " << pixels << "; it has to be up to the viewport's size, "
+         << size[0] << " x " << size[1] << " pixels.";
   }
-  else if (asked && volume->GetLength() / step > MaximumSamples)
+  else if (!(distance > 0.0 && std::isfinite(distance)))
   {
-    text << "SampleDistance is " << step << ", which makes " << volume->GetLength() / step
+    text << name << " is " << distance << "; it has to be a positive number.";
+  }
+  else if (samples > MaximumSamples)
+  {
+    text << name << " is " << distance << ", which makes " << samples
          << " samples along the volume's diagonal; there can be " << MaximumSamples << ".";
   }
   why = text.str();

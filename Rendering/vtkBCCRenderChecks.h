@@ -26,10 +26,10 @@ struct vtkBCCRenderChecks
   /// Whether the numbers of a jitter pattern and a progressive pattern's size are ones there are.
   static bool CheckPatterns(int jitter, int size, std::string& why);
 
-  /// Whether rays take a sample and get on by steps: the distance between samples, where it is
-  /// asked for, is a positive number that does not make too many of them.
+  /// Whether there are rays, which take a sample and get on by steps: the distance between samples
+  /// is a positive number that does not make too many of them.
   static bool CheckSampleDistances(
-    vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, std::string& why);
+    vtkRenderer* renderer, vtkGPUVolumeRayCastMapper* mapper, double distance, std::string& why);
 
   /// The same as Check() for what depends on the components of the scalars, and on the lights.
   static bool CheckShading(

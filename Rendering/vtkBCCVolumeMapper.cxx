@@ -49,6 +49,15 @@ enum
   VTKJitter,
   BayerJitter
 };
+
+// Of an image, or of all that it is a piece of.
+vtkBCCVolumeFrame GetWholeFrame(vtkImageData* image)
+{
+  int whole[6];
+  int piece[6];
+  return vtkBCCLattice::GetPiece(image, whole, piece) ? vtkBCCVolumeFrame(image, whole)
+                                                      : vtkBCCVolumeFrame(image);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +223,8 @@ int vtkBCCVolumeMapper::GetNumberOfGhostLevels(const double spacing[3], double s
 }
 
 //------------------------------------------------------------------------------
-// The sample distance that VTK would take for the whole's stand-in.
+// The sample distance that VTK would take for the whole's stand-in, but for what it adds to save
+// time.
 float vtkBCCVolumeMapper::FindSampleDistance(const vtkBCCVolumeFrame& frame, vtkVolume* volume)
 {
   double spacing[3];
@@ -233,7 +243,7 @@ bool vtkBCCVolumeMapper::CheckPiece(vtkVolume* volume, vtkImageData* image, std:
   int reach[3] = { 0, 0, 0 };
   if (vtkBCCLattice::GetPiece(image, whole, piece))
   {
-    const vtkBCCVolumeFrame frame(image, whole);
+    const vtkBCCVolumeFrame frame = GetWholeFrame(image);
     vtkBCCPieceSampling::FindReach(this, frame.LatticePerUnit,
       this->FindSampleDistance(frame, volume), this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND,
       reach);
@@ -274,7 +284,8 @@ bool vtkBCCVolumeMapper::Prepare(vtkRenderer* renderer, vtkVolume* volume, std::
     return false;
   }
   if (!bravais::CheckBCCSpline(this->Kernel, this->Prefilter, why) ||
-    !vtkBCCRenderChecks::CheckSampleDistances(this, volume, why) ||
+    !vtkBCCRenderChecks::CheckSampleDistances(
+      renderer, this, this->FindSampleDistance(GetWholeFrame(image), volume), why) ||
     !vtkBCCRenderChecks::CheckShading(renderer, volume, scalars->GetNumberOfComponents(), why) ||
     !vtkBCCVolumeMask::Check(this, volume->GetProperty(), scalars->GetNumberOfComponents(), why) ||
     !this->CheckPiece(volume, image, why))

@@ -137,7 +137,30 @@ class TestBCCVolumeMapperBadSettings(unittest.TestCase):
         self.mapper.SetSampleDistance(0.1)
         self.mapper.SetImageSampleDistance(math.nan)
         self.check_refused("ImageSampleDistance is nan")
+        self.mapper.SetImageSampleDistance(51)
+        self.check_refused("ImageSampleDistance is 51", "50 x 50")
         self.mapper.SetImageSampleDistance(1)
+        self.check_shown()
+
+    def test_sample_distances_by_the_spacing(self):
+        """Layers next to each other in a wide volume."""
+        flat = vtkImageData()
+        flat.ShallowCopy(IMAGE)
+        flat.SetSpacing(1, 1, 1e-8)
+        self.mapper.SetInputData(flat)
+        self.mapper.AutoAdjustSampleDistancesOn()
+        self.check_refused("sample distance by the input's spacing is 1e-08")
+        self.mapper.AutoAdjustSampleDistancesOff()
+        self.check_shown()
+        self.mapper.LockSampleDistanceToInputSpacingOn()
+        self.check_shown()
+        self.mapper.SetSampleDistance(math.nan)
+        self.check_refused("sample distance by the input's spacing is nan")
+
+    def test_sample_distances_are_the_inputs(self):
+        """As VTK has them, however large the volume is in the world."""
+        self.scene.volume.SetScale(1e7)
+        self.scene.renderer.ResetCamera()
         self.check_shown()
 
     def test_isovalues(self):
