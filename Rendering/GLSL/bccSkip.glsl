@@ -20,7 +20,7 @@ float BCCCountEmptyBricks(vec4 texel)
 float BCCCountEmptySamples()
 {
   float samples = -1.0;
-  // It is passed once, or not at all: there are machines that compute the branches of an if in any case.
+  // This is passed once at most: as a branch there are machines that would compute it in any case.
   while (samples < 0.0 && g_bccSample >= g_bccChecked)
   {
     vec3 way;
