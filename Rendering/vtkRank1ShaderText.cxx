@@ -53,8 +53,8 @@ std::string vtkRank1ShaderText::GetLookUp(
   text += input.Tiled ? Define("RANK1_TILED", 1) : "";
   text += input.Levels.IsRSet ? Define("RANK1_R_SET", 1) : "";
   text += levelFilter == 1 ? Define("RANK1_TRILINEAR", 1) : "";
-  return text + input.GetConstants() + rank1Texture_glsl + rank1Index_glsl + rank1Interpolation_glsl +
-    rank1BoxSpline_glsl + rank1Level_glsl + rank1LookUp_glsl;
+  return text + input.GetConstants() + rank1Texture_glsl + rank1Index_glsl +
+    rank1Interpolation_glsl + rank1BoxSpline_glsl + rank1Level_glsl + rank1LookUp_glsl;
 }
 
 //------------------------------------------------------------------------------

@@ -33,8 +33,9 @@
  *
  * No mesh, one that has cells but no texture coordinates of two or three components, no texture,
  * one that is no rank-1 image or no such levels, other scalar types, more than 4 components, more
- * than 2^24 texels in a tile, more of them than a texture of the GPU holds, an unknown interpolation
- * or level filter: one error each until something changes, and nothing is drawn. NaN texels are drawn as the GPU likes, and leave the others as they are.
+ * than 2^24 texels in a tile, more of them than a texture of the GPU holds, an unknown
+ * interpolation or level filter: one error each until something changes, and nothing is drawn. NaN
+ * texels are drawn as the GPU likes, and leave the others as they are.
  *
  * @sa vtkRank1ImageResample vtkRank1TexturePyramid vtkRank1TextureSampler
  */

@@ -17,8 +17,8 @@ namespace bravais
 /// and J. Pfaltz, Distance Functions on Digital Pictures).
 void FindBrickDistances(const glm::ivec3& size, std::vector<std::uint8_t>& bricks);
 
-/// Distances that tell of marked bricks as well: 128 + d in unmarked bricks, for d up to 127 as above,
-/// and 128 - d in marked ones, where all bricks less than d away are marked, up to 128.
+/// Distances that tell of marked bricks as well: 128 + d in unmarked bricks, for d up to 127 as
+/// above, and 128 - d in marked ones, where all bricks less than d away are marked, up to 128.
 void FindSignedBrickDistances(const glm::ivec3& size, std::vector<std::uint8_t>& bricks);
 
 } // namespace bravais

@@ -54,8 +54,9 @@ Rank1Texture<T> MakeRank1Texture(const Rank1Lattice& lattice, int tilesX = 1, in
 {
   using Int = Rank1Integer<T>;
   const auto n = static_cast<double>(lattice.GetNumberOfPoints());
-  const glm::dvec2 a = lattice.ToArea(glm::dvec2(lattice.GetBasis(0)));
-  const glm::dvec2 b = lattice.ToArea(glm::dvec2(lattice.GetBasis(1)));
+  const double scale = glm::max(lattice.GetSize().x, lattice.GetSize().y);
+  const glm::dvec2 a = lattice.ToArea(glm::dvec2(lattice.GetBasis(0))) / scale;
+  const glm::dvec2 b = lattice.ToArea(glm::dvec2(lattice.GetBasis(1))) / scale;
   const glm::dvec2 u = lattice.ToBasis({ 1.0, 0.0 });
   const glm::dvec2 v = lattice.ToBasis({ 0.0, 1.0 });
   const glm::dvec2 indices(

@@ -43,7 +43,7 @@ struct Rank1LevelBlend
 /// Texel spacings along u and v of a picture of that width and height, with that many texels.
 inline glm::dvec2 GetRank1Density(const glm::dvec2& size, double texels)
 {
-  return size * glm::sqrt(texels / (size.x * size.y));
+  return glm::sqrt(texels * glm::dvec2(size.x / size.y, size.y / size.x));
 }
 
 /// D of the mip levels, not clamped: below 0 where the texture is magnified, -infinity where the

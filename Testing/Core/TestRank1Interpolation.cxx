@@ -225,6 +225,20 @@ TEST(TestRank1Interpolation, NearestOfTilesLooksBeyondTheEdge)
   }
 }
 
+TEST(TestRank1Interpolation, DependsOnTheAreasShapeAlone)
+{
+  const auto unit = MakeRank1Texture<double>(*Rank1Lattice::Create(97, 5, 31, { 1.0, 0.5 }));
+  for (const double scale : { 1e-300, 3.0, 1e300 })
+  {
+    const auto scaled =
+      MakeRank1Texture<double>(*Rank1Lattice::Create(97, 5, 31, scale * glm::dvec2(1.0, 0.5)));
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(scaled.Metric[i], unit.Metric[i], 1e-12);
+    }
+  }
+}
+
 TEST(TestRank1Interpolation, InterpolatesItsTexels)
 {
   const Rank1Lattice lattice = *Rank1Lattice::Create(256, 1, 30);

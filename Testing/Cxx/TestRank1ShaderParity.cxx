@@ -110,9 +110,7 @@ struct Texture
     const auto result = DrawAtPoints(window,
       vtkRank1ShaderText::GetLookUp(this->Input, interpolation, 1), implementation, points, 4,
       [this](vtkShaderProgram* program)
-      {
-        program->SetUniformi("in_rank1Texels", this->Texels.Texture->GetTextureUnit());
-      });
+      { program->SetUniformi("in_rank1Texels", this->Texels.Texture->GetTextureUnit()); });
     this->Texels.Texture->Deactivate();
     return result;
   }
