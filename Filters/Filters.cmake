@@ -54,4 +54,5 @@ set(BRAVAIS_FILTERS_PRIVATE
   Rank1TileFile
   Rank1TileRows
   WholeJPEG
+  ZipTIFF
 )
