@@ -41,6 +41,7 @@ vec4 BCCLookUp(vec3 texturePosition)
 #ifdef BCC_ANALYTIC_GRADIENTS
 uniform vec3 in_bccToGradient[3]; // from derivatives along lattice coordinates to the volume's system
 mat3 g_bccToGradient = mat3(in_bccToGradient[0], in_bccToGradient[1], in_bccToGradient[2]);
+float g_bccEdge = dot(in_cellSpacing[0], vec3(1.0 / 3.0)); // of a cell, on average
 mat3 g_bccToEye = transpose(mat3(in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix));
 
 // The direction of a gradient in the volume's own system as seen from the camera. VTK's lights need
@@ -68,9 +69,8 @@ vec4 computeGradient(in vec3 texPos, in int c, in sampler3D volume, in int index
   vec3 gradient = vec3(gx[c], gy[c], gz[c]);
 #endif
   // Of small numbers, as floats hold no squares of large ones.
-  vec3 edge = in_cellSpacing[0];
   float range = in_scalarsRange[c].y - in_scalarsRange[c].x;
-  gradient = g_bccToGradient * (gradient / (range != 0.0 ? range : 1.0)) * dot(edge, vec3(1.0 / 3.0));
+  gradient = g_bccToGradient * (gradient * (g_bccEdge / (range != 0.0 ? range : 1.0)));
 #ifdef BCC_GRADIENT_OPACITY
   float magnitude = length(gradient);
   vec3 direction = magnitude > 0.0 ? normalize(gradient) : vec3(0.0);
