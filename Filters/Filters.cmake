@@ -54,5 +54,4 @@ set(BRAVAIS_FILTERS_PRIVATE
   Rank1TileFile
   Rank1TileRows
   WholeJPEG
-  ZipTIFF
 )

@@ -173,18 +173,6 @@ bool OIIOImageFile::CheckHeader(std::string& why)
     return this->Fail(Trouble::Format,
       "tells of " + size.str() + " but is truncated: a JPEG image was expected to the end.", why);
   }
-  constexpr double zHeader = 136.0; // bytes
-  if (this->GetFormat() == "zfile" &&
-    !IsWholeGzip(this->Name, static_cast<std::uint64_t>(bytes + zHeader)))
-  {
-    return this->Fail(
-      Trouble::Format, "tells of " + size.str() + " but is truncated or damaged.", why);
-  }
-  this->Zip.reset();
-  if (this->GetFormat() == "tiff" && spec.get_string_attribute("compression") == "zip")
-  {
-    this->Zip.emplace(this->Name, this->SubImage + this->MipLevel);
-  }
   this->Arrays = SortOIIOChannels(spec);
   return true;
 }
@@ -285,13 +273,6 @@ bool OIIOImageFile::ReadBlock(const int columns[2], const int rows[2], int layer
       "is truncated or damaged, rows " + std::to_string(rows[0]) + " to " +
         std::to_string(rows[1] - 1) + " of " + std::to_string(spec.height) +
         " cannot be read: " + Explain(this->Input->geterror()) + ".",
-      why);
-  }
-  if (this->Zip && !this->Zip->Check(columns, rows))
-  {
-    return this->Fail(Trouble::Format,
-      "is damaged, rows " + std::to_string(rows[0]) + " to " + std::to_string(rows[1] - 1) +
-        " of " + std::to_string(spec.height) + " are not those that were compressed.",
       why);
   }
   return true;

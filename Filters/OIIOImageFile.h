@@ -4,12 +4,10 @@
 #define OIIOImageFile_h
 
 #include "OIIOChannels.h"
-#include "ZipTIFF.h"
 
 #include <OpenImageIO/imageio.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,7 +68,6 @@ private:
   int MipLevel = 0;
   Trouble Failure = Trouble::None;
   OIIO::ImageInput::unique_ptr Input;
-  std::optional<ZipTIFF> Zip; ///< where the image is such a one
   OIIO::ImageSpec Spec;
   std::vector<OIIOChannelArray> Arrays;
 };

@@ -34,10 +34,8 @@
  * A header is believed only as far as the file and the machine's memory can hold what it tells, and
  * the first block is read before the output is allocated. Errors, with an empty output: no file
  * name, a file that is missing, empty, truncated or of no known format, a header that tells of more
- * pixels than that, a SubImage or MipLevel that the file does not have, and slices that differ.
- * What Deflate has compressed in a TIFF file is decompressed twice, to compare its check sums:
- * damage is an error there, as in PNG and zipped OpenEXR, where formats without such sums give
- * other values. The superclass' `MemoryBuffer` is not read.
+ * pixels than that, a SubImage or MipLevel that the file does not have, and slices that differ. The
+ * superclass' `MemoryBuffer` is not read.
  *
  * Example:
  * @code

@@ -7,7 +7,7 @@
 set(bravais_vtk_modules
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore IOImage IOXML ImagingCore RenderingCore RenderingOpenGL2 RenderingVolume
-  RenderingVolumeOpenGL2 glew opengl vtksys zlib)
+  RenderingVolumeOpenGL2 glew opengl vtksys)
 if (BRAVAIS_BUILD_TESTING AND NOT BRAVAIS_BUILD_PARAVIEW_PLUGIN)
   list(APPEND bravais_vtk_modules CommonMisc FiltersExtraction FiltersGeneral FiltersSources
     ImagingSources InteractionStyle RenderingFreeType TestingCore TestingRendering)
