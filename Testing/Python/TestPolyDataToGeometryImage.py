@@ -4,122 +4,17 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT
 from vtkmodules.vtkFiltersCore import (
-    vtkAppendPolyData, vtkCleanPolyData, vtkFeatureEdges, vtkStripper, vtkTriangleFilter)
-from vtkmodules.vtkFiltersGeneral import vtkDistancePolyDataFilter
+    vtkCleanPolyData, vtkFeatureEdges, vtkStripper, vtkTriangleFilter)
 from vtkmodules.vtkFiltersSources import (
     vtkConeSource, vtkCubeSource, vtkCylinderSource, vtkDiskSource, vtkPlaneSource,
-    vtkPlatonicSolidSource, vtkRegularPolygonSource, vtkSphereSource, vtkSuperquadricSource)
+    vtkPlatonicSolidSource, vtkRegularPolygonSource)
 
 from bravais import vtkGeometryImageToPolyData, vtkPolyDataToGeometryImage
-from checks import refuses
-
-
-def make_mesh(points, triangles):
-    mesh = vtkPolyData()
-    mesh.SetPoints(vtkPoints())
-    mesh.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
-    cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtk(np.ascontiguousarray(triangles, np.int64).ravel(), deep=True))
-    mesh.SetPolys(cells)
-    return mesh
-
-
-def run_source(source, **properties):
-    for name, value in properties.items():
-        getattr(source, "Set" + name)(value)
-    source.Update()
-    return source.GetOutput()
-
-
-def get_points(mesh):
-    return vtk_to_numpy(mesh.GetPoints().GetData())
-
-
-def get_triangles(mesh):
-    triangulate = vtkTriangleFilter()
-    triangulate.SetInputData(mesh)
-    triangulate.Update()
-    return vtk_to_numpy(triangulate.GetOutput().GetPolys().GetConnectivityArray()).reshape(-1, 3)
-
-
-def make_ball(resolution=24, bumps=0.0, dtype=np.float32):
-    """A sphere's triangles, moved along their radius."""
-    sphere = run_source(vtkSphereSource(), ThetaResolution=2 * resolution,
-                        PhiResolution=resolution)
-    points = get_points(sphere).astype(float) * 2
-    radius = 1 + bumps * np.prod(np.sin(4 * points), axis=1)
-    return make_mesh((points * radius[:, None]).astype(dtype), get_triangles(sphere))
-
-
-def make_spikes(count, height, resolution=24):
-    """A ball with narrow spikes, whose tips are far from everything."""
-    points = get_points(make_ball(resolution)).astype(float)
-    directions = np.random.default_rng(0).normal(size=(count, 3))
-    directions /= np.linalg.norm(directions, axis=1)[:, None]
-    radius = 1 + height * np.exp(50 * (points @ directions.T - 1)).sum(axis=1)
-    return make_mesh(points * radius[:, None], get_triangles(make_ball(resolution)))
-
-
-def make_tube(length, rings, sides, closed):
-    """A tube with a tip at its end, and one at its start if it is closed."""
-    z, t = np.meshgrid(np.linspace(0, length, rings), np.arange(sides) * 2 * np.pi / sides,
-                       indexing="ij")
-    points = np.stack((np.cos(t), np.sin(t), z), -1).reshape(-1, 3)
-    n = len(points)
-    points = np.vstack((points, [(0, 0, length + 1), (0, 0, -1)][:1 + closed]))
-    triangles = []
-    for j in range(sides):
-        k = (j + 1) % sides
-        for ring in range(0, n - sides, sides):
-            triangles += [(ring + j, ring + k, ring + k + sides),
-                          (ring + j, ring + k + sides, ring + j + sides)]
-        triangles.append((n - sides + j, n - sides + k, n))
-        triangles += [(k, j, n + 1)] if closed else []
-    return make_mesh(points, triangles)
-
-
-def make_filter(mesh, width=33, height=33, rounds=8):
-    algorithm = vtkPolyDataToGeometryImage()
-    algorithm.SetInputData(mesh)
-    algorithm.SetDimensions(width, height)
-    algorithm.SetRounds(rounds)
-    return algorithm
-
-
-def get_gixels(image, name="Points"):
-    values = vtk_to_numpy(image.GetPointData().GetArray(name))
-    return values.reshape(image.GetDimensions()[1::-1] + values.shape[1:])
-
-
-def run(*arguments, **keywords):
-    algorithm = make_filter(*arguments, **keywords)
-    algorithm.Update()
-    return algorithm.GetOutput()
-
-
-def get_distances(points, mesh):
-    probe = make_mesh(np.asarray(points, float).reshape(-1, 3), [(0, 0, 0)])
-    distance = vtkDistancePolyDataFilter()
-    distance.SetInputData(0, probe)
-    distance.SetInputData(1, mesh)
-    distance.SignedDistanceOff()
-    distance.ComputeSecondDistanceOff()
-    distance.Update()
-    return vtk_to_numpy(distance.GetOutput().GetPointData().GetArray("Distance"))
-
-
-def get_volume(mesh):
-    clean = vtkCleanPolyData()
-    clean.SetInputData(mesh)
-    triangulate = vtkTriangleFilter()
-    triangulate.SetInputConnection(clean.GetOutputPort())
-    triangulate.Update()
-    points = get_points(triangulate.GetOutput()).astype(float)
-    triangles = get_triangles(triangulate.GetOutput())
-    return np.linalg.det(points[triangles]).sum() / 6
+from meshes import (
+    get_distances, get_gixels, get_points, get_triangles, get_volume, make_ball, make_filter,
+    make_mesh, make_spikes, make_tube, run, run_source)
 
 
 class TestPolyDataToGeometryImage(unittest.TestCase):
@@ -404,91 +299,6 @@ class TestPolyDataToGeometryImage(unittest.TestCase):
             algorithm.RemoveObserver(tag)
             self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)
         algorithm.SetDimensions(33, 33)
-        algorithm.Update()
-        self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 33 * 33)
-
-
-class TestPolyDataToGeometryImageBadInput(unittest.TestCase):
-    def test_dimensions(self):
-        for bad in (1, 5), (5, 0), (-3, 5):
-            refuses(self, make_filter(make_ball(8), *bad),
-                    f"Dimensions are {bad[0]} x {bad[1]};", "2 x 2")
-        refuses(self, make_filter(make_ball(8), 2 ** 30, 2 ** 30), "1073741824")
-
-    def test_no_surface(self):
-        refuses(self, make_filter(vtkPolyData()), "0 points and 0 polygons")
-        lines = vtkPolyData()
-        lines.SetPoints(make_ball(8).GetPoints())
-        lines.SetLines(vtkCellArray())
-        lines.GetLines().InsertNextCell(2, (0, 1))
-        refuses(self, make_filter(lines), "0 polygons")
-        points = np.zeros((3, 3))
-        refuses(self, make_filter(make_mesh(points, [(0, 1, 2)])), "no triangles")
-
-    def test_points_and_values_that_there_are_not(self):
-        points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0)], float)
-        for bad in -1, 3, 10 ** 6:
-            refuses(self, make_filter(make_mesh(points, [(0, 1, bad)])), f"point {bad};", "0 to 2")
-        mesh = make_mesh(points, [(0, 1, 2)])
-        values = vtkDoubleArray()
-        values.SetName("few")
-        values.SetNumberOfValues(2)
-        mesh.GetPointData().AddArray(values)
-        refuses(self, make_filter(mesh), "few", "2 tuples", "3 points")
-
-    def test_coordinates(self):
-        for bad in np.nan, np.inf:
-            points = get_points(make_ball(8)).copy()
-            points[11, 2] = bad
-            refuses(self, make_filter(make_mesh(points, get_triangles(make_ball(8)))),
-                    "Point 11", "finite")
-
-    def test_edges_of_three_triangles(self):
-        points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)], float)
-        mesh = make_mesh(points, [(0, 1, 2), (0, 3, 1), (0, 1, 4)])
-        refuses(self, make_filter(mesh), "not manifold", "1 edge ", "at most two")
-
-    def test_vertices_of_two_fans(self):
-        points = np.random.default_rng(0).random((6, 3))  # a strip that ends where it begins
-        mesh = make_mesh(points, [(0, 1, 2), (1, 3, 2), (2, 3, 4), (3, 5, 4), (4, 5, 0)])
-        refuses(self, make_filter(mesh), "not manifold", "1 vertex")
-
-    def test_one_sided(self):
-        t = np.linspace(0, 2 * np.pi, 21)[:-1]
-        ring = np.stack((np.cos(t), np.sin(t), 0 * t), -1)
-        across = ring * np.cos(t / 2)[:, None] + np.outer(np.sin(t / 2), (0, 0, 1))
-        points = np.vstack((ring * 3 + across, ring * 3 - across))
-        triangles = []
-        for n in range(20):
-            a, b, c, d = n, n + 20, n + 1, n + 21
-            if n == 19:
-                c, d = 20, 0
-            triangles += [(a, b, c), (b, d, c)]
-        refuses(self, make_filter(make_mesh(points, triangles)), "one side only")
-
-    def test_genus_and_boundaries(self):
-        torus = run_source(vtkSuperquadricSource(), Toroidal=1)
-        refuses(self, make_filter(torus), "genus 1 and 0 boundaries", "genus 0")
-        ring = run_source(vtkDiskSource(), InnerRadius=0.5, OuterRadius=1)
-        refuses(self, make_filter(ring), "genus 0 and 2 boundaries", "genus 0")
-        points, triangles = get_points(torus), get_triangles(torus)
-        refuses(self, make_filter(make_mesh(points, triangles[1:])), "genus 1 and 1 boundary;")
-
-    def test_components(self):
-        both = vtkAppendPolyData()
-        both.AddInputData(make_ball(8))
-        both.AddInputData(run_source(vtkSphereSource(), Center=(9, 0, 0)))
-        refuses(self, make_filter(run_source(both)), "2 components", "1 was expected")
-
-    def test_too_long_and_thin(self):
-        refuses(self, make_filter(make_tube(5000, 5000, 4, True)), "too long and thin")
-
-    def test_an_error_empties_an_earlier_output(self):
-        algorithm = make_filter(make_ball(8))
-        algorithm.Update()
-        algorithm.SetInputData(run_source(vtkSuperquadricSource(), Toroidal=1))
-        refuses(self, algorithm, "genus 1")
-        algorithm.SetInputData(make_ball(8))
         algorithm.Update()
         self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 33 * 33)
 
