@@ -268,13 +268,10 @@ bool vtkBCCShaderEdits::EditAfter(
     const std::string depth = "texture2D(in_depthSampler, fragTexCoord)";
     vtkShaderProgram::Substitute(fragment, depth, "(" + depth + " + 1e-5)");
   }
-  if (fragment.find("vec3 BCCToEye(") != std::string::npos)
+  for (const std::string gradient : { "normal", "gradient.xyz" })
   {
-    for (const std::string gradient : { "normal", "gradient.xyz" })
-    {
-      vtkShaderProgram::Substitute(fragment,
-        "(in_textureToEye[0] * vec4(" + gradient + ", 0.0)).xyz", "BCCToEye(" + gradient + ")");
-    }
+    vtkShaderProgram::Substitute(fragment, "(in_textureToEye[0] * vec4(" + gradient + ", 0.0)).xyz",
+      "BCCToEye(" + gradient + ")");
   }
   EditLights(options, fragment);
   vtkShaderProgram::Substitute(fragment, "texture3D(in_mask, g_dataPos)", "BCCMask(g_dataPos)");

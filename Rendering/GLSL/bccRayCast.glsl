@@ -38,18 +38,24 @@ vec4 BCCLookUp(vec3 texturePosition)
   return value;
 }
 
-#ifdef BCC_ANALYTIC_GRADIENTS
 uniform vec3 in_bccToGradient[3]; // from derivatives along lattice coordinates to the volume's system
-mat3 g_bccToGradient = mat3(in_bccToGradient[0], in_bccToGradient[1], in_bccToGradient[2]);
-float g_bccEdge = dot(in_cellSpacing[0], vec3(1.0 / 3.0)); // of a cell, on average
 mat3 g_bccToEye = transpose(mat3(in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix));
 
-// The direction of a gradient in the volume's own system as seen from the camera. VTK's lights need
-// it; it would take texture coordinates for it, and shade long boxes wrongly.
+// The direction of a gradient as seen from the camera: of ours, which are in the volume's own system,
+// or of VTK's differences, along the image's axes. VTK's lights need it; it would take texture
+// coordinates for it, and shade long boxes wrongly.
 vec3 BCCToEye(vec3 gradient)
 {
+#ifndef BCC_ANALYTIC_GRADIENTS
+  gradient = mat3(normalize(in_bccToGradient[0]), normalize(in_bccToGradient[1]),
+    normalize(in_bccToGradient[2])) * gradient;
+#endif
   return g_bccToEye * gradient;
 }
+
+#ifdef BCC_ANALYTIC_GRADIENTS
+mat3 g_bccToGradient = mat3(in_bccToGradient[0], in_bccToGradient[1], in_bccToGradient[2]);
+float g_bccEdge = dot(in_cellSpacing[0], vec3(1.0 / 3.0)); // of a cell, on average
 
 // VTK's function of this name takes differences. Here c is the component; the other arguments are
 // VTK's and always the same. The direction is that of the gradient in the volume's own system. With

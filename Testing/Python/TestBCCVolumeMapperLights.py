@@ -75,6 +75,25 @@ class TestBCCVolumeMapperLights(unittest.TestCase):
                     self.assertFalse(any((pictures[1] == other).all() for other in seen))
                     seen.append(pictures[1])
 
+    def test_lights_on_differences(self):
+        """With VTK's gradients, on normals that follow the box and the direction matrix, too."""
+        pair = comparison.make_scenes("Composite", size=40)
+        pair[1].volume.GetMapper().AnalyticGradientsOff()
+        for scene in pair:
+            set_lights(scene, "two")
+        difference = numpy.abs(pair[1].render() - pair[0].render())
+        self.assertLess(difference.mean(), 1.6)
+        box = scenes.make_bcc(ball, (40, 20, 30), (-2, 2, -1, 1, -0.75, 0.75))
+        box.SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)
+        box.SetOrigin(1, -2, -0.75)
+        for name in "two", "positional":
+            scene = make_ball(box)
+            set_lights(scene, name)
+            exact = scene.render()
+            self.assertGreater(exact.std(axis=(0, 1)).max(), 10)
+            scene.volume.GetMapper().AnalyticGradientsOff()
+            self.assertLess(numpy.abs(scene.render() - exact).mean(), 0.5, name)
+
     def test_lights_may_change(self):
         """What comes after other lights looks as if there had been none of them."""
         scene = comparison.make_scenes("Composite")[1]
