@@ -3,7 +3,7 @@
 #include "vtkRank1TextureInput.h"
 
 #include "Rank1Image.h"
-#include "Rank1Interpolation.h"
+#include "Rank1Index.h"
 #include "Rank1Level.h"
 
 #include "vtkDataArray.h"

@@ -61,6 +61,8 @@ set(BRAVAIS_CORE_HEADERS
   CellCoverage
   FindRoot
   FoldedSquare
+  Rank1BoxSpline
+  Rank1Index
   Rank1Interpolation
   Rank1Level
   Rank1LookUp

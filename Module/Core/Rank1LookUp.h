@@ -6,7 +6,7 @@
 /// \file
 /// Values of a rank-1 picture at its points, by the interpolations of Rank1Interpolation.h.
 
-#include "Rank1Interpolation.h"
+#include "Rank1BoxSpline.h"
 
 namespace bravais
 {

@@ -3,7 +3,7 @@
 #ifndef Rank1Sampling_h
 #define Rank1Sampling_h
 
-#include "Rank1Interpolation.h"
+#include "Rank1BoxSpline.h"
 #include "Rank1Level.h"
 
 #include <glm/vec2.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Which texels a point takes, and with what weights, by the three-direction quartic box-spline. The
-// twins are in Module/Core/Rank1Interpolation.h.
+// twins are in Module/Core/Rank1BoxSpline.h.
 
 void EvaluateRank1BoxSpline(vec3 barycentric, out float weights[12])
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Where a point is on the lattice, and the number of a lattice point's texel. The twins are in
-// Module/Core/Rank1Interpolation.h.
+// Module/Core/Rank1Index.h.
 
 struct Rank1Site
 {

@@ -7,7 +7,7 @@
 
 uniform sampler2D in_rank1Texels;
 
-// The twin is in Module/Core/Rank1Interpolation.h. Integers up to 2^24 are floats.
+// The twin is in Module/Core/Rank1Index.h. Integers up to 2^24 are floats.
 struct Rank1Texture
 {
   vec4 ToBasis;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Bravais authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Rank1Interpolation.h"
+#include "Rank1BoxSpline.h"
 #include "Rank1Testing.h"
 
 #include <gtest/gtest.h>

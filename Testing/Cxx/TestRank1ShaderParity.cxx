@@ -6,7 +6,7 @@
 // footprints. OpenGL has no error to report, here and after frames of the mapper.
 
 #include "Rank1Image.h"
-#include "Rank1Interpolation.h"
+#include "Rank1BoxSpline.h"
 #include "Rank1Level.h"
 #include "ShaderDrawing.h"
 #include "vtkRank1ShaderText.h"
