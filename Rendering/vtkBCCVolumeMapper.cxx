@@ -69,6 +69,7 @@ public:
   bool HasLabels = false;
   vtkBCCMaskLabels Labels;
   bool Independent = true; // components, as last rendered
+  int Components = 0;
   vtkBCCProgress Progress;
   std::string LastError;
   vtkMTimeType LastErrorTime = 0;
@@ -426,10 +427,12 @@ void vtkBCCVolumeMapper::ShowStandIn(vtkRenderer* renderer, vtkVolume* volume)
     shown->Register(this);
   }
   // VTK makes the tables of a label map, and those of components that are no more independent or
-  // have become so, together with its other resources only.
+  // have become so, or more than before, together with its other resources only.
   const bool labels = this->MaskInput && this->MaskType == LabelMapMaskType;
   const bool independent = volume->GetProperty()->GetIndependentComponents() != 0;
-  if ((labels && !impl.HasLabels) || independent != impl.Independent)
+  const int components = impl.Input.Texels.Components;
+  if ((labels && !impl.HasLabels) || independent != impl.Independent ||
+    (impl.Components > 0 && components != impl.Components))
   {
     this->ReleaseGraphicsResources(renderer->GetRenderWindow());
   }
@@ -439,6 +442,7 @@ void vtkBCCVolumeMapper::ShowStandIn(vtkRenderer* renderer, vtkVolume* volume)
   }
   impl.HasLabels = labels;
   impl.Independent = independent;
+  impl.Components = components;
   this->LastInputs[0] = this->GetDataSetInput();
 }
 

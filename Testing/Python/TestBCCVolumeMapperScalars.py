@@ -146,6 +146,22 @@ class TestBCCVolumeMapperScalars(unittest.TestCase):
             numpy.testing.assert_array_equal(scene.render(), scenes.Scene(
                 fresh, volume_property, size=64, sample_distance=0.04).render())
 
+    def test_components_may_become_more(self):
+        """VTK's mapper crashes where nothing else tells of it."""
+        def make(components):
+            return scenes.make_bcc(lambda x, y, z: numpy.stack(
+                [numpy.cos(3 * x + n) * numpy.cos(2 * y) for n in range(components)],
+                axis=-1), (6, 6, 12))
+        volume_property = scenes.make_property(-1, 1, ((-1, 0), (1, 0.8)))
+        mapper = vtkBCCVolumeMapper()
+        scene = scenes.Scene(mapper, volume_property, size=32, sample_distance=0.05)
+        for components in 1, 4, 2, 3:
+            mapper.SetInputData(make(components))
+            fresh = vtkBCCVolumeMapper()
+            fresh.SetInputData(make(components))
+            numpy.testing.assert_array_equal(
+                scene.render(), scenes.Scene(fresh, volume_property, 32, 0.05).render())
+
     def test_slices_of_independent_components(self):
         """VTK's shader for them does not compile. A component without weight is not seen."""
         plane = vtkPlane()
